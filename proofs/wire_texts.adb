@@ -2,7 +2,7 @@
 
 package body Wire_Texts with SPARK_Mode is
 
-   procedure Prove_Battery (Result : Robot.Session.Outcome) is null;
+   procedure Prove_Battery (Result : Commands.Outcome) is null;
 
    procedure Prove_Data_Labels is null;
 
@@ -11,7 +11,7 @@ package body Wire_Texts with SPARK_Mode is
    procedure Prove_Labels is null;
 
    procedure Prove_Reply
-     (Name : Robot_Command; Result : Robot.Session.Outcome) is null;
+     (Name : Robot_Command; Result : Commands.Outcome) is null;
 
    procedure Prove_Texts is null;
 

@@ -10,7 +10,7 @@ with Robot.Session;
 
 package Wire_Texts with SPARK_Mode, Ghost is
 
-   use type Robot.Session.Outcome_Kind;
+   use type Commands.Outcome_Kind;
 
    --  Commands of the monitor
 
@@ -98,17 +98,17 @@ package Wire_Texts with SPARK_Mode, Ghost is
    with Pre => Text'Length < Max_Short_Line;
 
    procedure Prove_Reply
-     (Name : Robot_Command; Result : Robot.Session.Outcome)
+     (Name : Robot_Command; Result : Commands.Outcome)
    with
      Post =>
        (case Result.Kind is
-           when Robot.Session.Refused    =>
+           when Commands.Refused    =>
              Reply_To (Name, Result) = Monitor.Protocol.Refused,
-           when Robot.Session.Timed_Out  =>
+           when Commands.Timed_Out  =>
              Reply_To (Name, Result) = Monitor.Protocol.Timed_Out,
-           when Robot.Session.Not_Open | Robot.Session.Not_Opened =>
+           when Commands.Not_Open | Commands.Not_Opened =>
              Reply_To (Name, Result) = Not_Done,
-           when Robot.Session.Done       =>
+           when Commands.Done       =>
              (if Name not in Get_Battery | Get_Version | Get_State then
                  Reply_To (Name, Result) = Acknowledged));
 
@@ -124,10 +124,10 @@ package Wire_Texts with SPARK_Mode, Ghost is
    with
      Post => Reply_To (Done) = (if Done then Acknowledged else Not_Done);
 
-   procedure Prove_Battery (Result : Robot.Session.Outcome)
+   procedure Prove_Battery (Result : Commands.Outcome)
    with
      Post =>
-       (if Result.Kind = Robot.Session.Done
+       (if Result.Kind = Commands.Done
         then Battery_Notice (Result) = Reply_To (Get_Battery, Result)
         else Says (Battery_Notice (Result), "RBLV:-1"));
 

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
-   What all models share: events as src/devices/event.ads has them,
+   What all models share: events as src/process/event.ads has them,
    and how tasks, protected objects and events are declared, so that `check`
    finds their names and compares them with the Ada code's.
 

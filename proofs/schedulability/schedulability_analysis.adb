@@ -1,6 +1,6 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
 --  Prints the response-time analysis of the supervisor. Exit status 1 where
---  a deadline is missed with the priorities of src/base/schedule.ads.
+--  a deadline is missed with the priorities of src/common/schedule.ads.
 
 with Ada.Command_Line;  use Ada.Command_Line;
 with Ada.Strings;       use Ada.Strings;

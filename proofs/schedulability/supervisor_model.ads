@@ -12,7 +12,7 @@ package Supervisor_Model with SPARK_Mode is
    --  A claim that GNATprove checks: every subprogram ends
 
    type Priority_Choice is
-     (Of_The_Table,        --  src/base/schedule.ads
+     (Of_The_Table,        --  src/common/schedule.ads
       Of_The_Report);
    --  The report's threads with their own; what it has not takes the number
    --  of the threads that did the work there

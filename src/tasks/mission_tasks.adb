@@ -1,6 +1,7 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
 
 with Ada.Real_Time;    use Ada.Real_Time;
+with Commands;
 with Journal;
 with Missions;         use Missions;
 with Missions.Arenas;
@@ -17,7 +18,6 @@ with Process.Threads;
 with Robot.Line;
 with Robot.Requests;
 with Robot.Service;
-with Robot.Session;
 with Robot.Users;
 with Settings;
 with Vision.Sightings;
@@ -134,7 +134,7 @@ package body Mission_Tasks with SPARK_Mode is
       Ends     : Boolean;
       Why      : Abort_Reason;
       Next     : Action;
-      Result   : Robot.Session.Outcome;
+      Result   : Commands.Outcome;
       Was_Turn : Boolean;
       Now      : Missions.Microseconds;
       Due      : Missions.Microseconds;

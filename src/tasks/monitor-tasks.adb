@@ -7,12 +7,12 @@ with Admission.Secret_Files;
 with Commands; use Commands;
 with Console;
 with Journal;
-with Missions.Paths;
 with Missions.Requests;
 with Monitor.Image_Messages;
 with Monitor.Link;
 with Monitor.Mailboxes;
 with Monitor.Outbox;
+with Monitor.Paths;
 with Monitor.Protocol; use Monitor.Protocol;
 with Monitor.Send_Order;
 with Monitor.Session;
@@ -25,7 +25,6 @@ with Process.Threads;
 with Robot.Line;
 with Robot.Requests;
 with Robot.Service;
-with Robot.Session;
 with Robot.Users;
 with Settings;
 with Texts;
@@ -108,14 +107,14 @@ package body Monitor.Tasks with SPARK_Mode is
       Path  : Missions.Path;
       Valid : Boolean;
    begin
-      Missions.Paths.Parse
+      Monitor.Paths.Parse
         (Line, Line'First + Text_Offset, Measure (Name), Is_Single (Name),
          Path, Valid);
       if Valid then
          Missions.Requests.Put (Order, Path);
       end if;
       if Order.Owed then
-         Monitor.Outbox.Answer (Order, Refused);
+         Monitor.Outbox.Answer (Order, Monitor.Protocol.Refused);
       end if;
    end Ask_For_Mission;
 
@@ -359,7 +358,7 @@ package body Monitor.Tasks with SPARK_Mode is
       --  Robot, camera and queues to their initial state (F6)
       Next    : Orders.Ticket;
       Stopped : Boolean;
-      Ignored : Robot.Session.Outcome;
+      Ignored : Commands.Outcome;
       Idle    : Boolean;
       Limit   : Time;
       Now     : Time;
@@ -370,7 +369,7 @@ package body Monitor.Tasks with SPARK_Mode is
       Robot.Line.Begin_Session (Next);
       Robot.Line.Ask
         (Robot.Requests.Safe_State,
-         (Kind => Robot.Session.Close_Line, others => <>), (others => <>));
+         (Kind => Commands.Close_Line, others => <>), (others => <>));
       loop
          Robot.Users.Monitor_Lost.Wait_In_Job;
          Robot.Service.Serve (Schedule.Th_Com_Mon_Perdue, Ignored, Stopped);

@@ -11,6 +11,7 @@ with Robot.Line;
 with Robot.Line_Status;
 with Robot.Requests;
 with Robot.Serial_Line;
+with Robot.Session;
 with Robot.Users;
 with Trace;
 
@@ -20,25 +21,25 @@ package body Robot.Service with SPARK_Mode is
    use type Robot.Requests.Verdict_Kind;
    use type Robot.Session.Mode_Kind;
 
-   procedure Tell_Of (Note : Robot.Session.Note_Kind; Empty : Boolean) is
+   procedure Tell_Of (Note : Commands.Note_Kind; Empty : Boolean) is
       --  What the monitor and the log learn of Note. Empty: the robot's
       --  battery, when last asked
       Gone : Boolean;
    begin
       case Note is
-         when Robot.Session.Nothing =>
+         when Commands.Nothing =>
             null;
-         when Robot.Session.Missed_Window =>
+         when Commands.Missed_Window =>
             Journal.Put
               (Options.Warning,
                "watchdog reload outside its window: the robot runs on");
-         when Robot.Session.Not_Running =>
+         when Commands.Not_Running =>
             Journal.Put
               (Options.Warning,
                Monitor.Notices.Text_Of (Monitor.Notices.Robot_Not_Running));
             Monitor.Outbox.Put
               (Monitor.Mailboxes.Told (Monitor.Notices.Robot_Not_Running));
-         when Robot.Session.Robot_Lost =>
+         when Commands.Robot_Lost =>
             Robot.Serial_Line.Get_Gone (Gone);
             Journal.Put
               (Options.Warning,
@@ -73,7 +74,7 @@ package body Robot.Service with SPARK_Mode is
 
    procedure Serve
      (Who    : Schedule.Task_Name;
-      Result : out Robot.Session.Outcome;
+      Result : out Commands.Outcome;
       Found  : out Boolean)
    is
       Item    : Robot.Requests.Job;
@@ -84,8 +85,8 @@ package body Robot.Service with SPARK_Mode is
       Robot.Line.Take (Who, Item, Verdict, Held, Found);
       Result :=
         (Kind   =>
-           (if Verdict = Robot.Requests.Late then Robot.Session.Timed_Out
-            else Robot.Session.Refused),
+           (if Verdict = Robot.Requests.Late then Commands.Timed_Out
+            else Commands.Refused),
          others => <>);
       if Who in Schedule.Th_Mission | Schedule.Th_Com_Mon_Perdue then
          null;  --  in the middle of a job

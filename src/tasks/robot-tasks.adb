@@ -1,11 +1,11 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
 
 with Ada.Real_Time; use Ada.Real_Time;
+with Commands;
 with Process.Threads;
 with Robot.Line;
 with Robot.Requests;
 with Robot.Service;
-with Robot.Session;
 with Robot.Users;
 
 package body Robot.Tasks with SPARK_Mode is
@@ -13,7 +13,7 @@ package body Robot.Tasks with SPARK_Mode is
    task body Th_Open_Com_Robot is
       Next           : Time := Time_Last;
       Was_Set        : Boolean;
-      Ignored_Result : Robot.Session.Outcome;
+      Ignored_Result : Commands.Outcome;
       Ignored_Found  : Boolean;
    begin
       Process.Threads.Name_Task (Schedule.Th_Open_Com_Robot);
@@ -28,7 +28,7 @@ package body Robot.Tasks with SPARK_Mode is
    end Th_Open_Com_Robot;
 
    task body Th_Start_Robot is
-      Ignored_Result : Robot.Session.Outcome;
+      Ignored_Result : Commands.Outcome;
       Ignored_Found  : Boolean;
    begin
       Process.Threads.Name_Task (Schedule.Th_Start_Robot);
@@ -42,7 +42,7 @@ package body Robot.Tasks with SPARK_Mode is
    task body Th_Start_Robot_WD is
       Next           : Time := Time_Last;
       Was_Set        : Boolean;
-      Ignored_Result : Robot.Session.Outcome;
+      Ignored_Result : Commands.Outcome;
       Ignored_Found  : Boolean;
    begin
       Process.Threads.Name_Task (Schedule.Th_Start_Robot_WD);
@@ -57,7 +57,7 @@ package body Robot.Tasks with SPARK_Mode is
    end Th_Start_Robot_WD;
 
    task body Th_Reset_Robot is
-      Ignored_Result : Robot.Session.Outcome;
+      Ignored_Result : Commands.Outcome;
       Ignored_Found  : Boolean;
    begin
       Process.Threads.Name_Task (Schedule.Th_Reset_Robot);
@@ -69,7 +69,7 @@ package body Robot.Tasks with SPARK_Mode is
    end Th_Reset_Robot;
 
    task body Th_Move is
-      Ignored_Result : Robot.Session.Outcome;
+      Ignored_Result : Commands.Outcome;
       Ignored_Found  : Boolean;
    begin
       Process.Threads.Name_Task (Schedule.Th_Move);
@@ -83,7 +83,7 @@ package body Robot.Tasks with SPARK_Mode is
    task body Th_Battery_Level is
       Next           : Time := Time_Last;
       Was_Set        : Boolean;
-      Ignored_Result : Robot.Session.Outcome;
+      Ignored_Result : Commands.Outcome;
       Ignored_Found  : Boolean;
    begin
       Process.Threads.Name_Task (Schedule.Th_Battery_Level);

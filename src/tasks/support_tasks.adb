@@ -10,7 +10,7 @@ with Process.Signals;
 with Process.Threads;
 with Robot.Line;
 with Robot.Line_Status;
-with Robot.Protocol;
+with Robot.Protocol; use Robot.Protocol;
 with Robot.Serial_Line;
 with Texts;
 with Trace;
@@ -122,7 +122,7 @@ package body Support_Tasks with SPARK_Mode is
             --  whichever task has failed, the robot stops now, for good
             Robot.Line.Refuse_Orders;
             Robot.Serial_Line.Stop_Blindly;
-            Trace.Ordered (Schedule.Th_Stop, Robot.Protocol.Move);
+            Trace.Ordered (Schedule.Th_Stop, Letter (Stop.Kind));
          end if;
          Journal.Put (Options.Info, "stopping");
          Monitor.Session.State.Stop;
@@ -134,7 +134,7 @@ package body Support_Tasks with SPARK_Mode is
          Robot.Line.Get_Status (Status);
          if Status.Open then
             Robot.Serial_Line.Stop_Blindly;
-            Trace.Ordered (Schedule.Th_Stop, Robot.Protocol.Move);
+            Trace.Ordered (Schedule.Th_Stop, Letter (Stop.Kind));
             Robot.Serial_Line.Close (Ignored);
          end if;
          Journal.Put

@@ -2,6 +2,7 @@
 
 with Ada.Text_IO;
 
+with Commands;
 with GNAT.Random_Numbers; use GNAT.Random_Numbers;
 
 with Missions.Angles;
@@ -76,7 +77,7 @@ package body Simulated_Missions is
       Orders       : Natural := 0;
       Ended        : Duration := 0.0;
       Next         : Action;
-      Outcome      : Robot.Session.Outcome;
+      Outcome      : Commands.Outcome;
 
       function Now return Time_Point is (Robot_Core.Clock (The_Robot));
 
@@ -211,13 +212,13 @@ package body Simulated_Missions is
                        & Character'Val (Reply.Data (1))));
       end Talk;
 
-      procedure Carry_Out (Request : Robot.Session.Request) is
+      procedure Carry_Out (Request : Commands.Request) is
          Command : constant Robot.Protocol.Command :=
            Robot.Session.Command_For (Request);
          Reply   : Robot_Core.Answer;
          Is_Lost : Boolean;
       begin
-         Outcome := (Kind => Robot.Session.Timed_Out, others => <>);
+         Outcome := (Kind => Commands.Timed_Out, others => <>);
          if Out_Of_Step then
             Talk ((Robot.Protocol.Version, 0), Reply, Is_Lost);
             if Is_Lost then
@@ -230,9 +231,9 @@ package body Simulated_Missions is
          if Is_Lost then
             Out_Of_Step := True;
          elsif Reply.Data (1) = Character'Pos ('E') then
-            Outcome.Kind := Robot.Session.Refused;
+            Outcome.Kind := Commands.Refused;
          else
-            Outcome.Kind := Robot.Session.Done;
+            Outcome.Kind := Commands.Done;
             Outcome.Text.Data (1) := Character'Val (Reply.Data (1));
          end if;
       end Carry_Out;

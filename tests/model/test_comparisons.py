@@ -66,13 +66,16 @@ def test_a_fault_is_noticed(tree: Path, fault: str) -> None:
     ("file", "script"),
     [
         #  a condition, which is for the mutants
-        ("robot-line.adb", "/^   procedure Wake/,/end Wake/s/if Next/if not Next/"),
         (
-            "vision-turns.adb",
+            "robot/robot-line.adb",
+            "/^   procedure Wake/,/end Wake/s/if Next/if not Next/",
+        ),
+        (
+            "vision/vision-turns.adb",
             "s/Arena_Turn.Set;/ARENA_TURN.SET;/; s/ine.Put/INE . put/",
         ),
     ],
 )
 def test_the_same_operations_pass(tree: Path, file: str, script: str) -> None:
-    status, said = says(tree, "steps", f"src/state/{file}", script)
+    status, said = says(tree, "steps", f"src/{file}", script)
     assert status == 0, said

@@ -11,7 +11,7 @@ from pathlib import Path
 import pytest
 
 PROVE = Path(__file__).parents[2] / "script/prove"
-BODY = "src/logic/whole.adb"
+BODY = "src/robot/whole.adb"
 RECORD = "proofs/results"
 
 FILES = {
@@ -21,23 +21,23 @@ FILES = {
     "proofs/proofs.gpr": '("--mode=all", "--steps=1")\n',
     "vision_c/vision.h": "int vision;\n",
     "tests/emulator/core/core.ads": "package Core with SPARK_Mode is\nend Core;\n",
-    "src/logic/whole.ads": "package Whole with SPARK_Mode is\nend Whole;\n",
+    "src/robot/whole.ads": "package Whole with SPARK_Mode is\nend Whole;\n",
     BODY: "package body Whole with SPARK_Mode is\nend Whole;\n",
-    "src/logic/queues.ads": "generic\npackage Queues with SPARK_Mode is\nend Queues;\n",
-    "src/devices/calls.ads": "generic\npackage Calls with SPARK_Mode is\nend Calls;\n",
-    "src/devices/calls.adb": """--  Outside
+    "src/robot/queues.ads": "generic\npackage Queues with SPARK_Mode is\nend Queues;\n",
+    "src/process/calls.ads": "generic\npackage Calls with SPARK_Mode is\nend Calls;\n",
+    "src/process/calls.adb": """--  Outside
 package body Calls with SPARK_Mode => Off is
 
 end Calls;
 """,
-    "src/devices/used.ads": """package Used with SPARK_Mode is
+    "src/process/used.ads": """package Used with SPARK_Mode is
    package One is new Calls;
    pragma Warnings (Off);
 end Used;
 """,
     "proofs/README.md": """
-| `src/devices/calls.adb` | 2 | calls |
-| `src/devices/used.ads` | `Warnings` | 1 | wanted |
+| `src/process/calls.adb` | 2 | calls |
+| `src/process/used.ads` | `Warnings` | 1 | wanted |
 """,
 }
 UNITS = {"core": 3, "whole": 3, "used": 2}
@@ -257,7 +257,7 @@ def test_no_exceptions(tree: Tree) -> None:
 
 def test_the_table_of_exceptions_is_wrong(tree: Tree) -> None:
     tree.edit("proofs/README.md", "`Warnings` | 1 | wanted", "`Warnings` | 1 | ")
-    tree.refuses("-src/devices/used.ads Warnings 1")
+    tree.refuses("-src/process/used.ads Warnings 1")
     tree.add("proofs/README.md", f"| `{BODY}` | `Assume` | 1 | for no reason |")
     tree.refuses(f"+{BODY} Assume 1")
 
@@ -281,8 +281,8 @@ def test_what_is_outside_spark_is_not_documented(
 
 
 def test_a_body_outside_spark_has_grown(tree: Tree) -> None:
-    tree.add("src/devices/calls.adb", "   A : B;\n   --  C")
-    tree.refuses("+src/devices/calls.adb 2, -src/devices/calls.adb 3")
+    tree.add("src/process/calls.adb", "   A : B;\n   --  C")
+    tree.refuses("+src/process/calls.adb 2, -src/process/calls.adb 3")
 
 
 def test_a_source_does_not_state_its_mode(tree: Tree) -> None:

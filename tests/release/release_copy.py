@@ -20,7 +20,7 @@ class Copy:
     def __init__(self) -> None:
         self.folder = TemporaryDirectory()  # removed with this object
         self.root = Path(self.folder.name)
-        version = (ROOT / "src/base/project_version.ads").read_text()
+        version = (ROOT / "src/common/project_version.ads").read_text()
         self.number = re.findall(r'"(.*)";', version)[0]
         git = {"GIT_CONFIG_GLOBAL": "/dev/null", "GIT_CONFIG_SYSTEM": "/dev/null"}
         for who in ("AUTHOR", "COMMITTER"):

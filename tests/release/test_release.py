@@ -25,11 +25,11 @@ def test_as_it_is() -> None:
             "is the tag of another commit",
         ),
         (
-            'sed -i "s/$N/99.0.0/" src/base/project_version.ads; commit',
+            'sed -i "s/$N/99.0.0/" src/common/project_version.ads; commit',
             "^release: refused: alire.toml has version",
         ),
         (
-            'sed -i "s/$N/99.0.0/" src/base/project_version.ads; commit',
+            'sed -i "s/$N/99.0.0/" src/common/project_version.ads; commit',
             'entry of CHANGELOG.md is not "## 99.0.0 - DATE"',
         ),
         ('sed -i "s/^## $N - .*/## $N - unreleased/" CHANGELOG.md', 'is not "## '),
@@ -41,7 +41,7 @@ def test_as_it_is() -> None:
         ("sed -i '0,/^## /s//## 99.0.0 - 2026-01-01\\n&/' CHANGELOG.md", 'is not "## '),
         ("rm CHANGELOG.md", 'is not "## '),
         (
-            "echo 'pragma Page;' >>src/logic/base64.adb; commit",
+            "echo 'pragma Page;' >>src/monitor/base64.adb; commit",
             "refused: proof: .*base64.adb",
         ),
         ("rm proofs/results/sources.txt; commit", "refused: proof: .* is missing"),

@@ -13,7 +13,7 @@ def number() -> str:
     installed = _HERE.parent / "VERSION"
     if installed.is_file():
         return installed.read_text(encoding="ascii").strip()
-    source = _HERE.parents[2] / "src" / "base" / "project_version.ads"
+    source = _HERE.parents[2] / "src" / "common" / "project_version.ads"
     found = re.search(r'Number : .*"(.*)";', source.read_text(encoding="ascii"))
     if found is None:
         raise RuntimeError(f"no version in {source}")

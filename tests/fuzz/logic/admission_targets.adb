@@ -4,19 +4,19 @@
 with Ada.Strings;       use Ada.Strings;
 with Ada.Strings.Fixed; use Ada.Strings.Fixed;
 with Admission.Authentication;
-with Admission.Networks;
 with Expectations;      use Expectations;
 with Input_Readers;     use Input_Readers;
 with Interfaces;        use Interfaces;
+with Networks;
 with Texts;
 
 package body Admission_Targets is
 
    use Bytes;
    use type Admission.Authentication.Verdict;
-   use type Admission.Networks.Network;
+   use type Networks.Network;
 
-   function Image (N : Admission.Networks.Network) return String is
+   function Image (N : Networks.Network) return String is
       --  ADDRESS/LEN
       function Number (Value : Integer) return String is
         (Trim (Integer'Image (Value), Both));
@@ -46,22 +46,22 @@ package body Admission_Targets is
       Text   : constant String := Rest (R);
       First  : Positive := 1;
       Last   : Natural;
-      L      : Admission.Networks.List;
+      L      : Networks.List;
 
       procedure Read (Line : String) is
          Plain : constant String (1 .. Line'Length) := Line;
-         N     : Admission.Networks.Network;
-         Again : Admission.Networks.Network;
+         N     : Networks.Network;
+         Again : Networks.Network;
          Good  : Boolean;
       begin
-         Admission.Networks.Parse (Plain, N, Good);
+         Networks.Parse (Plain, N, Good);
          if Good then
-            Admission.Networks.Parse (Image (N), Again, Good);
+            Networks.Parse (Image (N), Again, Good);
             Check
               (Good and then Again = N
                and then (Image (N) = Plain or else Image (N) = Plain & "/32"),
                "a network is not read as written");
-            if L.Count < Admission.Networks.Max_Networks then
+            if L.Count < Networks.Max_Networks then
                L.Count := L.Count + 1;
                L.Items (L.Count) := N;
             end if;
@@ -91,7 +91,7 @@ package body Admission_Targets is
                Inside := True;
             end if;
          end loop;
-         Check (Admission.Networks.Admits (L, P) = Inside,
+         Check (Networks.Admits (L, P) = Inside,
                 "somebody else is admitted");
       end Meet;
 

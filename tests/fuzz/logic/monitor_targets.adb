@@ -5,14 +5,15 @@ with Ada.Strings.Fixed; use Ada.Strings.Fixed;
 with Commands;          use Commands;
 with Expectations;      use Expectations;
 with Input_Readers;     use Input_Readers;
-with Missions.Paths;
+with Missions;
+with Monitor.Paths;
 with Monitor.Protocol;  use Monitor.Protocol;
 with Texts;
 
 package body Monitor_Targets is
 
    function Are_Points (Text : String; Most : Positive) return Boolean is
-      --  1 to Most points. Said in another way than Missions.Paths does
+      --  1 to Most points. Said in another way than Monitor.Paths does
       type Place is (Sign, Whole, Point, Part);
       --  what has come last of a coordinate
 
@@ -129,7 +130,7 @@ package body Monitor_Targets is
       Check (Here = Meaning (Line), "a line has another meaning");
       Check (Here = There, "a line's meaning depends on its index");
       if Here.Name in Mission_Command then
-         Missions.Paths.Parse
+         Monitor.Paths.Parse
            (Line, Line'First + Text_Offset, Measure (Here.Name),
             Is_Single (Here.Name), Path, Valid);
          Check (Valid, "a mission has no path");
@@ -157,7 +158,6 @@ package body Monitor_Targets is
         (Size => Data'Length, Data => Data, Used => 0);
       All_Text : constant String := Rest (R);
    begin
-      Clear (Reader);
       for I in All_Text'Range loop
          Accept_Character (Reader, All_Text (I), Complete);
          if Complete then

@@ -1,12 +1,15 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
 --  Fuzz targets: what comes from the robot.
 
+with Commands;
 with Expectations;   use Expectations;
 with Input_Readers;  use Input_Readers;
 with Robot.Protocol; use Robot.Protocol;
 with Robot.Session;
 
 package body Robot_Targets is
+
+   package Asking renames Standard.Commands;
 
    use Bytes; use type Bytes.Byte;
    use type Robot.Session.Mode_Kind;
@@ -79,7 +82,7 @@ package body Robot_Targets is
       while not Is_Empty (R) loop
          Take (R, 0, Command_Kind'Pos (Command_Kind'Last), Place);
          C.Kind := Command_Kind'Val (Place);
-         Take (R, Argument'First, Argument'Last, C.Value);
+         Take (R, Asking.Argument'First, Asking.Argument'Last, C.Value);
          Encode (C, F);
          Read_Frame (F);
       end loop;
@@ -89,7 +92,7 @@ package body Robot_Targets is
       R       : Reader := (Size => Data'Length, Data => Data, Used => 0);
       S       : Robot.Session.State;
       P       : Robot.Session.Progress;
-      Wanted  : Robot.Session.Request;
+      Wanted  : Asking.Request;
       Next    : Robot.Session.Step;
       Last    : Robot.Session.Step_Result;
       Choice  : Byte;
@@ -141,16 +144,16 @@ package body Robot_Targets is
    begin
       while not Is_Empty (R) loop
          Take (R, Choice);
-         Wanted.Kind := Robot.Session.Request_Kind'Val
+         Wanted.Kind := Asking.Request_Kind'Val
            (Natural (Choice)
-            mod (Robot.Session.Request_Kind'Pos
-                   (Robot.Session.Request_Kind'Last) + 1));
+            mod (Asking.Request_Kind'Pos
+                   (Asking.Request_Kind'Last) + 1));
          Wanted.Command :=
            (case Choice / 16 mod 4 is
-               when 0 => Forward,
-               when 1 => Left,
-               when 2 => (Move, 1),
-               when others => Robot.Protocol.Stop);
+               when 0 => Asking.Forward,
+               when 1 => Asking.Left,
+               when 2 => (Asking.Move, 1),
+               when others => Asking.Still);
          Robot.Session.Start_Request (S, Wanted, P, Next);
          Steps := 0;
          --  the unit's own postconditions, which it does not check itself

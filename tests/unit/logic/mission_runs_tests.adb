@@ -6,22 +6,21 @@ with Ada.Strings.Unbounded; use Ada.Strings.Unbounded;
 
 with AUnit.Assertions;    use AUnit.Assertions;
 
+with Commands;
 with Mission_Judges;
 with Mission_Plans;
 with Missions;            use Missions;
 with Missions.Angles;     use Missions.Angles;
 with Missions.Guards;     use Missions.Guards;
 with Missions.Runs;       use Missions.Runs;
-with Robot.Protocol;
-with Robot.Session;
 with Robot_Motion;
 with Simulated_Missions;  use Simulated_Missions;
 with Unit_Runs; use Unit_Runs;
 
 procedure Mission_Runs_Tests is
 
-   use type Robot.Protocol.Command_Kind;
-   use type Robot.Session.Request_Kind;
+   use type Commands.Movement_Kind;
+   use type Commands.Request_Kind;
 
    Size    : constant Arena_Size := (80, 60);
    Period  : constant := 100_000;
@@ -32,9 +31,9 @@ procedure Mission_Runs_Tests is
 
    function Said
      (Digit : Character;
-      Kind  : Robot.Session.Outcome_Kind := Robot.Session.Done)
-     return Robot.Session.Outcome
-   is ((Kind, (Digit & (2 .. Robot.Protocol.Text_Size'Last => ' '), 1),
+      Kind  : Commands.Outcome_Kind := Commands.Done)
+     return Commands.Outcome
+   is ((Kind, (Digit & (2 .. Commands.Answer_Length'Last => ' '), 1),
         others => <>));
 
    type Answer is (Taken, Refused, Unanswered, Closed);
@@ -102,10 +101,10 @@ procedure Mission_Runs_Tests is
                      Said
                        ((if Next.Kind = Ask and then Moves then '1' else '0'),
                         (case Given is
-                            when Taken      => Robot.Session.Done,
-                            when Refused    => Robot.Session.Refused,
-                            when Unanswered => Robot.Session.Timed_Out,
-                            when Closed     => Robot.Session.Not_Open)),
+                            when Taken      => Commands.Done,
+                            when Refused    => Commands.Refused,
+                            when Unanswered => Commands.Timed_Out,
+                            when Closed     => Commands.Not_Open)),
                      Now);
                if Given = Unanswered then
                   Now := Now + 80_000;
@@ -113,8 +112,8 @@ procedure Mission_Runs_Tests is
             when Stop              =>
                Stops := Stops + 1;
                Tell (R,
-                     (Kind   => (if Stops < 3 then Robot.Session.Timed_Out
-                                 else Robot.Session.Done),
+                     (Kind   => (if Stops < 3 then Commands.Timed_Out
+                                 else Commands.Done),
                       others => <>),
                      Now);
             when Leave             => exit;
@@ -291,7 +290,7 @@ procedure Mission_Runs_Tests is
       Start (R, Size, Points, 1, Now);
       Step (R, Now, Next);
       Assert (Next.Kind = Order
-              and then Next.Request.Kind = Robot.Session.Stop,
+              and then Next.Request.Kind = Commands.Stop,
               "the robot is stopped first");
       Tell (R, Said ('0'), Now);
       for K in 1 .. 4 loop
@@ -304,7 +303,7 @@ procedure Mission_Runs_Tests is
       See (R, (5, Now + 160_000, True, (Corner, 0)));
       Step (R, Now + 160_000, Next);
       Assert (Next.Kind = Order
-              and then Next.Request.Command.Kind = Robot.Protocol.Turn,
+              and then Next.Request.Command.Kind = Commands.Turn,
               "seen again, no turn to the target");
    end Test_Old_Position;
 
@@ -356,7 +355,7 @@ procedure Mission_Runs_Tests is
       begin
          Step (R, Now, Next);
          Assert (Next.Kind = Order
-                 and then Next.Request.Command.Kind = Robot.Protocol.Turn,
+                 and then Next.Request.Command.Kind = Commands.Turn,
                  "no turn");
          Tell (R, Said ('0'), Now);
       end Turns;
@@ -396,7 +395,7 @@ procedure Mission_Runs_Tests is
       See (10_000, True, 3_000_000);
       Step (R, Now, Next);
       Assert (Next.Kind = Order
-              and then Next.Request.Command.Kind = Robot.Protocol.Move,
+              and then Next.Request.Command.Kind = Commands.Move,
               "seen again, no drive");
    end Test_Wait_For_Position;
 

@@ -11,8 +11,6 @@ with Missions;
 with Monitor.Positions; use Monitor.Positions;
 with Monitor.Protocol;  use Monitor.Protocol;
 with Position_Lines;
-with Robot.Protocol;
-with Robot.Session;
 with Unit_Runs; use Unit_Runs;
 
 procedure Monitor_Protocol_Tests is
@@ -132,9 +130,9 @@ procedure Monitor_Protocol_Tests is
          Assert (Line.Data (1 .. Line.Length) = Text & LF, Text);
       end Check;
 
-      function Said (Text : String) return Robot.Session.Outcome is
+      function Said (Text : String) return Commands.Outcome is
         ((Text   => (Data   => Ada.Strings.Fixed.Head
-                       (Text, Robot.Protocol.Text_Size'Last),
+                       (Text, Commands.Answer_Length'Last),
                      Length => Text'Length),
           others => <>));
       --  The robot has answered with Text
@@ -142,15 +140,15 @@ procedure Monitor_Protocol_Tests is
    begin
       Check (Acknowledged, "AACK");
       Check (Not_Done, "ANAK");
-      Check (Refused, "ACRJ");
-      Check (Timed_Out, "ATIM");
+      Check (Monitor.Protocol.Refused, "ACRJ");
+      Check (Monitor.Protocol.Timed_Out, "ATIM");
       Check (Not_Understood, "ACER");
       Check (Reply_To (Get_Battery, Said ("2")), "RBLV:2");
       Check (Reply_To (Get_State, Said ("1")), "RCST:1");
       Check (Reply_To (Get_Version, Said ("3.5")), "RVER:3.5");
       Check (Reply_To (Ping_Robot, Said ("O")), "AACK");
       Check (Battery_Notice (Said ("0")), "RBLV:0");
-      Check (Battery_Notice ((Kind => Robot.Session.Timed_Out, others => <>)),
+      Check (Battery_Notice ((Kind => Commands.Timed_Out, others => <>)),
              "RBLV:-1");
    end Test_Answers;
 

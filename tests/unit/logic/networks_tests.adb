@@ -5,9 +5,9 @@ with Ada.Strings.Fixed;
 
 with AUnit.Assertions;   use AUnit.Assertions;
 
-with Admission.Networks; use Admission.Networks;
 with Bytes;              use Bytes;
 with Interfaces;         use Interfaces;
+with Networks; use Networks;
 with Unit_Runs; use Unit_Runs;
 
 procedure Networks_Tests is

@@ -4,6 +4,7 @@
 with AUnit.Assertions; use AUnit.Assertions;
 
 with Bytes;            use Bytes;
+with Commands;
 with Robot.Protocol;   use Robot.Protocol;
 with Unit_Runs; use Unit_Runs;
 
@@ -82,10 +83,10 @@ procedure Robot_Protocol_Tests is
 
    procedure Test_Directions is
    begin
-      Check_Command (Forward, "M=32767");
-      Check_Command (Backward, "M=-32768");
-      Check_Command (Left, "T=32767");
-      Check_Command (Right, "T=-32768");
+      Check_Command ((Move, 32_767), "M=32767");
+      Check_Command ((Move, -32_768), "M=-32768");
+      Check_Command ((Turn, 32_767), "T=32767");
+      Check_Command ((Turn, -32_768), "T=-32768");
       Check_Command (Stop, "M=0");
    end Test_Directions;
 
@@ -134,7 +135,7 @@ procedure Robot_Protocol_Tests is
          Encode ((K, 0), F);
          Assert (F.Data (F.Length - 1) /= 0, "command");
       end loop;
-      for N in Argument loop
+      for N in Commands.Argument loop
          Encode ((Move, N), F);
          Assert (F.Data (F.Length - 1) /= 0, "move");
          Encode ((Turn, N), F);

@@ -3,6 +3,7 @@
 
 with AUnit.Assertions; use AUnit.Assertions;
 
+with Commands;         use Commands;
 with Robot.Health;
 with Robot.Protocol;
 with Robot.Session;    use Robot.Session;
@@ -15,7 +16,7 @@ procedure Robot_Session_Tests is
    use type Wire.Command;
    use type Wire.Command_Kind;
 
-   Driving : constant Wire.Command := (Wire.Turn, 90);
+   Driving : constant Movement := (Turn, 90);
 
    function Opened (Mode : Mode_Kind) return State is
      ((Line_Open => True, Mode => Mode, Health => Robot.Health.Initial,
@@ -36,7 +37,7 @@ procedure Robot_Session_Tests is
 
    type History is record
       Before  : State;
-      Request : Robot.Session.Request;
+      Request : Commands.Request;
       Stopped : Boolean := False;  --  a stop has been sent
       Closed  : Boolean := False;
    end record;
@@ -61,7 +62,7 @@ procedure Robot_Session_Tests is
                    when others              => (Wire.Done, 0))),
        Text  =>
          (Length => 1,
-          Data   => (1 => How, 2 .. Wire.Text_Size'Last => ' '))));
+          Data   => (1 => How, 2 .. Answer_Length'Last => ' '))));
    --  How the robot answers C: '-' not at all, 'E' it refuses, '+' it
    --  accepts, or a digit.
 
@@ -270,7 +271,7 @@ procedure Robot_Session_Tests is
          for Mode in Mode_Kind loop
             S := Opened (Mode);
             Explore_From (S, (Kind, Driving));
-            Explore_From (S, (Kind, Wire.Forward));
+            Explore_From (S, (Kind, Forward));
             for First in Wire.Command_Kind loop
                S := Opened (Mode);
                Robot.Health.Failure (S.Health, First);

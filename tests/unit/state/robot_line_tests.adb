@@ -23,7 +23,7 @@ package body Robot_Line_Tests is
    end Put;
 
    procedure Ask_For_Mission
-     (Kind : Robot.Session.Request_Kind; Number : Ticket) is
+     (Kind : Commands.Request_Kind; Number : Ticket) is
       --  What the mission asks for that the monitor's order Number began
    begin
       Robot.Line.Ask (Mission, (Kind => Kind, others => <>),
@@ -82,7 +82,7 @@ package body Robot_Line_Tests is
    begin
       Robot.Line.Begin_Session (First);
       Robot.Line.Ask
-        (Safe_State, (Kind => Robot.Session.Close_Line, others => <>),
+        (Safe_State, (Kind => Commands.Close_Line, others => <>),
          (others => <>));
       Check (Safe_State);
    end Begin_Session;
@@ -110,7 +110,7 @@ package body Robot_Line_Tests is
       Check (Stop_Order, Mode => Running);
       --  nothing else goes before a stop
       Check (Stop_Order, Mode => Running);
-      Check (Movement, Out_Of_Date, Mode => Running);
+      Check (Robot.Requests.Movement, Out_Of_Date, Mode => Running);
    end Test_Many_Stops;
 
    procedure Test_One_At_A_Time is
@@ -134,21 +134,21 @@ package body Robot_Line_Tests is
    procedure Test_Hand is
    begin
       Begin_Session (600);
-      Ask_For_Mission (Robot.Session.Drive, 600);
+      Ask_For_Mission (Commands.Drive, 600);
       Put (Stop_Robot, 601);
       Check (Stop_Order);
       Check (Mission, Overtaken);
       --  nor is what it asks for later, a stop included
 
-      Ask_For_Mission (Robot.Session.Get_Moving, 600);
+      Ask_For_Mission (Commands.Get_Moving, 600);
       Check (Mission, Overtaken);
-      Ask_For_Mission (Robot.Session.Stop, 600);
+      Ask_For_Mission (Commands.Stop, 600);
       Check (Mission, Overtaken);
 
-      Ask_For_Mission (Robot.Session.Drive, 602);
+      Ask_For_Mission (Commands.Drive, 602);
       Check (Mission);
 
-      Ask_For_Mission (Robot.Session.Stop, 602);
+      Ask_For_Mission (Commands.Stop, 602);
       Robot.Line.Begin_Session (603);
       Check (Mission, Out_Of_Date);
    end Test_Hand;
@@ -162,10 +162,10 @@ package body Robot_Line_Tests is
 
    begin
       Begin_Session (700);
-      Ask_For_Mission (Robot.Session.Drive, 700);
+      Ask_For_Mission (Commands.Drive, 700);
       Pass_Limit;
       Check (Mission, Late);
-      Ask_For_Mission (Robot.Session.Stop, 700);
+      Ask_For_Mission (Commands.Stop, 700);
       Pass_Limit;
       Check (Mission);
    end Test_Late;
@@ -175,16 +175,16 @@ package body Robot_Line_Tests is
       Begin_Session (800);
       Put (Open_Robot, 800);
       Put (Reset_Robot, 801);
-      Ask_For_Mission (Robot.Session.Stop, 802);
+      Ask_For_Mission (Commands.Stop, 802);
       Check (Other_Order);
       Check (Other_Order);
       Check (Mission);
       --  a movement from before it does not go out any more
 
       Put (Go_Forward, 801);
-      Check (Movement, Overtaken);
+      Check (Robot.Requests.Movement, Overtaken);
       Put (Go_Forward, 803);
-      Check (Movement);
+      Check (Robot.Requests.Movement);
    end Test_Mission_In_Turn;
 
    procedure Test_Rights is
@@ -201,13 +201,13 @@ package body Robot_Line_Tests is
    begin
       Begin_Session (900);
       Put (Go_Forward, 900);
-      Check (Movement);
+      Check (Robot.Requests.Movement);
       Check_Rights (False, False);
       Put (Ping_Robot, 902);
       Check (Other_Order);
       Check_Rights (False, False);
       Put (Go_Forward, 903);
-      Check (Movement);
+      Check (Robot.Requests.Movement);
       Check_Rights (False, True);
       Begin_Session (904);
       Check_Rights (True, False);
@@ -254,7 +254,7 @@ package body Robot_Line_Tests is
       Begin_Run (550, Schedule.Reload_Period - Schedule.Reload_Quiet);
       Put (Ping_Robot, 551);
       Put (Go_Forward, 552);
-      Check (Movement, Mode => Running);
+      Check (Robot.Requests.Movement, Mode => Running);
       delay until Clock + Schedule.Reload_Quiet;
       Check (Reload, Mode => Running);
       Check (Battery, Mode => Running);
@@ -281,9 +281,9 @@ package body Robot_Line_Tests is
       Put (Go_Forward, 200);
       Put (Stop_Robot, 201);
       Check (Stop_Order);
-      Check (Movement, Overtaken);
+      Check (Robot.Requests.Movement, Overtaken);
       Put (Go_Forward, 202);
-      Check (Movement);
+      Check (Robot.Requests.Movement);
    end Test_Overtaken;
 
    procedure Test_Places is
@@ -298,13 +298,13 @@ package body Robot_Line_Tests is
       Check (Other_Order);
       Check (Other_Order);
       Check (Other_Order);
-      Check (Movement, Overtaken);
+      Check (Robot.Requests.Movement, Overtaken);
       --  a movement goes before a question, but a reset not before it
 
       Put (Ping_Robot, 105);
       Put (Go_Forward, 106);
       Put (Reset_Robot, 107);
-      Check (Movement);
+      Check (Robot.Requests.Movement);
       Check (Other_Order);
       Check (Other_Order);
    end Test_Places;
@@ -315,15 +315,15 @@ package body Robot_Line_Tests is
       Begin_Run (10, Schedule.Reload_Period);
       Put (Stop_Robot, 11);
       Put (Go_Forward, 12);
-      Ask_For_Mission (Robot.Session.Drive, 13);
+      Ask_For_Mission (Commands.Drive, 13);
       Put (Ping_Robot, 14);
       Robot.Line.Ask
-        (Safe_State, (Kind => Robot.Session.Close_Line, others => <>),
+        (Safe_State, (Kind => Commands.Close_Line, others => <>),
          (others => <>));
       Check (Safe_State, Mode => Running);
       Check (Stop_Order, Mode => Running);
       Check (Reload, Mode => Running);
-      Check (Movement, Overtaken, Mode => Running);
+      Check (Robot.Requests.Movement, Overtaken, Mode => Running);
       Check (Mission, Mode => Running);
       Check (Battery, Mode => Running);
       Check (Other_Order, Mode => Running);

@@ -66,7 +66,7 @@ def run(*arguments: str) -> tuple[int, str, str]:
 def test_help_and_version() -> None:
     status, out, error = run("--help")
     assert (status, error) == (0, "") and out.startswith("Usage: destijl_web")
-    source = WEB.parents[1] / "src" / "base" / "project_version.ads"
+    source = WEB.parents[1] / "src" / "common" / "project_version.ads"
     assert source.is_file()
     status, out, error = run("--version")
     number = re.fullmatch(r"destijl_web (\d+\.\d+\.\d+)\n", out)

@@ -1,8 +1,0 @@
---  SPDX-License-Identifier: GPL-3.0-or-later
---  The vision: its mode, the search areas, and the times of the images. The
---  layers above add children: the camera and its library, the images in
---  transit, and the tasks that process them.
-
-package Vision with SPARK_Mode, Pure is
-
-end Vision;

@@ -1,0 +1,255 @@
+--  SPDX-License-Identifier: GPL-3.0-or-later
+
+with Ada.Real_Time;  use Ada.Real_Time;
+with Bytes;
+with Journal;
+with Options;
+with Robot.Protocol; use Robot.Protocol;
+with Robot.Serial_Line;
+with Robot.Session;
+with Settings;
+with Texts;
+with Trace;
+
+package body Robot.Exchange with SPARK_Mode is
+
+   use type Robot.Session.Mode_Kind;
+   use type Commands.Outcome_Kind;
+   use type Commands.Request_Kind;
+   use type Robot.Session.Step_Kind;
+
+   procedure Open_Device
+     (Held : in out Robot.Line_Status.Dialogue; Success : out Boolean)
+   is
+      Chosen : Options.Values renames Settings.Command_Line.Chosen;
+      Reason : Texts.Text;
+      Line   : Texts.Text;
+   begin
+      Robot.Serial_Line.Open (Chosen.Serial, Success, Reason);
+      Held.Told := False;
+      Held.Unasked := 0;
+      if Success then
+         Texts.Set (Line, "robot line open on ");
+      else
+         Texts.Set (Line, "robot line cannot be opened on ");
+      end if;
+      Texts.Append (Line, Chosen.Serial.Data (1 .. Chosen.Serial.Length));
+      if Success then
+         Journal.Put (Options.Info, Line);
+      else
+         Texts.Append (Line, ": ");
+         Texts.Append (Line, Reason.Data (1 .. Reason.Length));
+         Journal.Put (Options.Error, Line);
+      end if;
+   end Open_Device;
+
+   procedure Discard_Unasked
+     (Held      : in out Robot.Line_Status.Dialogue;
+      Kind      : Command_Kind;
+      Until_Now : Time;
+      Talks     : out Boolean)
+   is
+      --  Discards what has come before a command of Kind is sent. Talks: there
+      --  was a whole frame. That may be noise, or the device goes on like that
+      Receiving : Receiver;
+      In_Frame  : Frame;
+      Heard     : Reply;
+      Data      : Bytes.Byte_Array (1 .. Max_Frame);
+      Length    : Natural;
+      Ignored   : Boolean;
+      Complete  : Boolean;
+   begin
+      Talks := False;
+      Robot.Serial_Line.Read (Data, Length, Until_Now, Ignored);
+      Robot.Serial_Line.Discard_Input;
+      Clear (Receiving);
+      for I in 1 .. Length loop
+         Accept_Byte (Receiving, Data (I), Complete);
+         if Complete then
+            Get (Receiving, In_Frame);
+            Decode (In_Frame, Kind, Heard);
+            Talks := Talks or else Heard.Kind not in Bad_Checksum | Malformed;
+         end if;
+      end loop;
+      Held.Unasked :=
+        (if Talks then Natural'Min (Held.Unasked + 2, 6)
+         else Natural'Max (Held.Unasked - 1, 0));
+      if Talks and then not Held.Told then
+         Held.Told := True;
+         Journal.Put
+           (Options.Warning,
+            "the device of the robot's line sends without being asked");
+      end if;
+   end Discard_Unasked;
+
+   procedure Exchange
+     (Who       : Schedule.Task_Name;
+      Held      : in out Robot.Line_Status.Dialogue;
+      Item      : Command;
+      Mode      : Robot.Session.Mode_Kind;
+      Skip_Late : Boolean;
+      Last      : out Robot.Session.Step_Result)
+   with
+     Pre =>
+       (if Is_Movement (Item) then Mode /= Robot.Session.Not_Started)
+   is
+      --  Sends Item and waits for its answer. Skip_Late: frames of other
+      --  classes are late answers to earlier commands, and are skipped.
+      --  Otherwise none is due before, and what a device sends that goes on
+      --  sending is no answer
+      In_Frame  : Frame;
+      Receiving : Receiver;
+      Data      : Bytes.Byte_Array (1 .. Max_Frame);
+      Ignored   : Bytes.Byte_Array (1 .. Max_Frame);
+      Length    : Natural;
+      Alive     : Boolean;
+      Complete  : Boolean;
+      Talks     : Boolean := False;
+      Has_Left  : Time;
+      Deadline  : Time;
+      Now       : Time;
+   begin
+      Last := (others => <>);
+      Now := Clock;
+      if Skip_Late then
+         Robot.Serial_Line.Discard_Input;
+      else
+         Discard_Unasked (Held, Item.Kind, Now, Talks);
+      end if;
+      Clear (Receiving);
+      Robot.Serial_Line.Write (Item, Mode, Length, Last.Ok);
+      Has_Left := Now + Length * Schedule.Byte_Time;
+      Deadline := Has_Left
+        + Milliseconds (Settings.Command_Line.Chosen.Answer_Timeout);
+      Trace.Ordered (Who, Letter (Item.Kind));
+      Trace.Wait (Who, Trace.Answer);
+      if not Last.Ok or else Held.Unasked > 4
+        or else (Held.Unasked > 0 and then Item.Kind in Start | Start_Watchdog)
+      then
+         Last.Ok := False;
+         return;
+      end if;
+      Last.Ok := False;
+      loop
+         Robot.Serial_Line.Read (Data, Length, Deadline, Alive);
+         if not Alive or else Length = 0 then
+            return;
+         end if;
+         Now := Clock;
+         if Talks and then Now < Has_Left then
+            --  the robot cannot have heard the command yet
+            return;
+         end if;
+         for I in 1 .. Length loop
+            Accept_Byte (Receiving, Data (I), Complete);
+            if Complete then
+               Get (Receiving, In_Frame);
+               Decode (In_Frame, Item.Kind, Last.Reply);
+               Last.Text := Text_Of (In_Frame);
+               if Skip_Late then
+                  Last.Ok := Is_Answer (Last.Reply.Kind, Item.Kind);
+               else
+                  Last.Ok := Last.Reply.Kind not in Failed_Reply
+                    and then not (Talks and then I < Length);
+                  if not Last.Ok then
+                     return;
+                  end if;
+               end if;
+            end if;
+            exit when Last.Ok;
+         end loop;
+         exit when Last.Ok;
+         --  a line that never falls silent must not postpone the time-out
+         exit when Now >= Deadline;
+      end loop;
+      if Last.Ok and then (Skip_Late or else Talks) then
+         --  a device that goes on sending is no robot
+         Robot.Serial_Line.Read (Ignored, Length, Deadline, Alive);
+         Last.Ok := Alive and then Length = 0;
+      end if;
+   end Exchange;
+
+   procedure Take_Step
+     (Who      : Schedule.Task_Name;
+      Held     : in out Robot.Line_Status.Dialogue;
+      State    : Robot.Session.State;
+      Progress : Robot.Session.Progress;
+      Step     : Robot.Session.Step;
+      Last     : out Robot.Session.Step_Result)
+   with
+     Pre => Robot.Session.Is_Under_Way (State, Progress)
+       and then Robot.Session.Is_Allowed (State, Progress, Step)
+   is
+      pragma Unreferenced (Progress);
+      Ignored  : Frame_Length;
+      All_Sent : Boolean;
+   begin
+      Last := (others => <>);
+      case Step.Kind is
+         when Robot.Session.Open_Device =>
+            Open_Device (Held, Last.Ok);
+         when Robot.Session.Close_Device =>
+            Robot.Serial_Line.Close (All_Sent);
+            if All_Sent then
+               Journal.Put (Options.Info, "robot line closed");
+            else
+               Journal.Put
+                 (Options.Warning,
+                  "robot line closed: its device did not take all within "
+                  & "100 ms, the rest was discarded");
+            end if;
+         when Robot.Session.Send =>
+            Robot.Serial_Line.Write
+              (Step.Command, State.Mode, Ignored, Last.Ok);
+            Trace.Ordered (Who, Letter (Step.Command.Kind));
+         when Robot.Session.Exchange | Robot.Session.Synchronise =>
+            Exchange
+              (Who, Held, Step.Command, State.Mode,
+               Step.Kind = Robot.Session.Synchronise, Last);
+         when Robot.Session.Finish =>
+            null;
+      end case;
+   end Take_Step;
+
+   procedure Carry_Out
+     (Who     : Schedule.Task_Name;
+      Held    : in out Robot.Line_Status.Dialogue;
+      Request : Commands.Request;
+      Result  : out Commands.Outcome)
+   is
+      State    : Robot.Session.State := Held.State;
+      Progress : Robot.Session.Progress;
+      Step     : Robot.Session.Step;
+      Last     : Robot.Session.Step_Result;
+   begin
+      Robot.Session.Start_Request
+        (State,
+         (if Request.Kind = Commands.Open_Line and then State.Line_Open
+          then (Kind => Commands.Ping, others => <>)
+          else Request),
+         Progress, Step);
+      while Step.Kind /= Robot.Session.Finish loop
+         pragma Loop_Invariant (Robot.Session.Is_Under_Way (State, Progress));
+         pragma Loop_Invariant
+           (Robot.Session.Is_Allowed (State, Progress, Step));
+         pragma Loop_Variant
+           (Decreases => Robot.Session.Steps_Left (State, Progress));
+         if Robot.Session.Is_Sent (Step)
+           and then Step.Command.Kind in Start | Start_Watchdog | Reload
+         then
+            Held.Counted := Clock;
+         end if;
+         Take_Step (Who, Held, State, Progress, Step, Last);
+         Trace.Resume (Who);
+         Robot.Session.Continue_Request (State, Progress, Last, Step);
+      end loop;
+      Held.State := State;
+      Result := Robot.Session.Result (Progress);
+      Held.Empty := State.Line_Open
+        and then
+          (if Request.Kind = Commands.Get_Battery
+             and then Result.Kind = Commands.Done
+           then Commands.Is_Zero (Result) else Held.Empty);
+   end Carry_Out;
+
+end Robot.Exchange;

@@ -1,0 +1,114 @@
+--  SPDX-License-Identifier: GPL-3.0-or-later
+--  What the tasks know of the robot and its line, and when the periodic
+--  requests are due.
+
+with Ada.Real_Time; use Ada.Real_Time;
+with Commands;
+with Robot.Health;
+with Robot.Reload_Times;
+with Robot.Requests;
+with Robot.Session;
+with Schedule;
+
+package Robot.Line_Status with SPARK_Mode is
+
+   pragma Annotate (GNATprove, Terminating, Robot.Line_Status);
+
+   use type Robot.Requests.Source;
+   use type Robot.Session.Mode_Kind;
+   use type Commands.Outcome_Kind;
+   use type Commands.Request_Kind;
+
+   type Dialogue is record
+      State   : Robot.Session.State;
+      Counted : Time := Time_First;
+      --  when the last start or reload was sent: the robot's watchdog counts
+      --  from there
+      Empty   : Boolean := False;
+      --  the robot's battery, when last asked
+      Unasked : Natural range 0 .. 6 := 0;
+      --  two more for each command before which the line's device sent without
+      --  being asked, one less for each other. Noise does not last; at 5 it is
+      --  no robot, and it has not started unless it is 0
+      Told    : Boolean := False;
+      --  the log says, once each time the line is open, that it does so
+   end record
+   with Dynamic_Predicate => Robot.Session.Is_Consistent (Dialogue.State);
+   --  What the task that has the line knows of the robot
+
+   type Status is record
+      Open       : Boolean := False;
+      Mode       : Robot.Session.Mode_Kind := Robot.Session.Not_Started;
+      Epoch      : Natural := 0;
+      --  changes at each start
+      Used_At    : Time := Time_First;
+      --  end of the last exchange
+      Failures   : Robot.Health.Failure_Count := 0;
+      --  failed exchanges in a row
+   end record;
+
+   type State is record
+      Known       : Status;
+      Reload_Due  : Time := Time_Last;
+      Battery_Due : Time := Time_Last;
+      Unanswered  : Robot.Reload_Times.Unanswered_Count := 0;
+      --  reloads
+   end record;
+
+   Max_Idle_Failures : constant := 2;
+   --  A robot that is not started and has left as many pings without an answer
+   --  is off, and is asked no more: its line stays open
+
+   function Same_Run (Now, Before : Status) return Boolean is
+     (Now.Mode /= Robot.Session.Not_Started
+      and then Now.Epoch = Before.Epoch);
+   --  The robot has run since Before without a restart
+
+   function Due (S : State; From : Robot.Requests.Periodic) return Time is
+     (case From is
+         when Robot.Requests.Reload     =>
+           (if S.Known.Mode = Robot.Session.Started_With_Watchdog
+            then S.Reload_Due else Time_Last),
+         when Robot.Requests.Battery    =>
+           (if S.Known.Mode /= Robot.Session.Not_Started then S.Battery_Due
+            else Time_Last),
+         when Robot.Requests.Keep_Alive =>
+           (if S.Known.Mode /= Robot.Session.Not_Started
+            then S.Known.Used_At + Schedule.Keep_Alive_Period
+            elsif S.Known.Open and then S.Known.Failures < Max_Idle_Failures
+            then S.Known.Used_At + Schedule.Idle_Ping_Period
+            else Time_Last));
+   --  Time_Last: as it is now, never
+
+   function Is_Quiet
+     (S : State; Now : Time; Answer_Timeout : Time_Span) return Boolean
+   is
+     (S.Known.Mode = Robot.Session.Started_With_Watchdog
+      and then Now >= S.Reload_Due -
+        (if S.Known.Failures > 0 then
+            Answer_Timeout + Schedule.Reload_Quiet_Suspect
+         else Schedule.Reload_Quiet));
+   --  A reload is due: only a stop or a movement may start
+
+   function Starts
+     (Done : Robot.Requests.Job; Result : Commands.Outcome)
+     return Boolean
+   is (Done.Request.Kind in
+         Commands.Start | Commands.Start_Watchdog
+       and then Result.Kind = Commands.Done);
+   --  The robot has started
+
+   procedure Note
+     (S      : in out State;
+      Done   : Robot.Requests.Job;
+      Held   : Dialogue;
+      Result : Commands.Outcome;
+      Now    : Time)
+   with
+     Post => S.Known.Open = Held.State.Line_Open
+       and then S.Known.Mode = Held.State.Mode
+       and then S.Known.Failures = Robot.Health.Failures (Held.State.Health)
+       and then (S.Known.Epoch /= S'Old.Known.Epoch) = Starts (Done, Result);
+   --  Request Done has just ended with Result, the robot's dialogue as in Held
+
+end Robot.Line_Status;

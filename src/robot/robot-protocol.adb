@@ -1,0 +1,170 @@
+--  SPDX-License-Identifier: GPL-3.0-or-later
+
+package body Robot.Protocol with SPARK_Mode is
+
+   procedure Prove_Same_Parity (A, B : Byte_Array; Last : Natural)
+   with
+     Ghost,
+     Pre  => A'First = 1
+       and then B'First = 1
+       and then Last <= Natural'Min (A'Last, B'Last)
+       and then Last <= Max_Frame
+       and then (for all I in 1 .. Last => A (I) = B (I)),
+     Post => Parity (A, Last) = Parity (B, Last)
+   is
+      --  A checksum depends only on its own text.
+   begin
+      for I in 1 .. Last loop
+         pragma Loop_Invariant (Parity (A, I) = Parity (B, I));
+      end loop;
+   end Prove_Same_Parity;
+
+   procedure Accept_Byte
+     (R : in out Receiver; B : Byte; Complete : out Boolean)
+   is
+   begin
+      if R.Finished then
+         Clear (R);
+      end if;
+      Complete := B = Terminator;
+      if Complete then
+         R.Finished := True;
+      elsif R.Length < Max_Frame then
+         R.Length := R.Length + 1;
+         R.Data (R.Length) := B;
+      else
+         R.Overflow := True;
+      end if;
+   end Accept_Byte;
+
+   function Checksum (Data : Byte_Array; Length : Natural) return Byte is
+      Result : Byte := 0;
+   begin
+      for I in 1 .. Length loop
+         Result := Result xor Data (I);
+         pragma Loop_Invariant (Result = Parity (Data, I));
+      end loop;
+      return (if Result = Terminator then 16#0E# else Result);
+   end Checksum;
+
+   procedure Clear (R : out Receiver) is
+   begin
+      R := (Data     => (others => 0),
+            Length   => 0,
+            Overflow => False,
+            Finished => False);
+   end Clear;
+
+   procedure Decode (F : Frame; Pending : Command_Kind; R : out Reply) is
+      Kind  : Reply_Kind  := Wrong_Kind;
+      Value : Reply_Value := 0;
+   begin
+      if Text_Length (F) = 0 then
+         Kind := Malformed;
+      elsif not Is_Sound (F) then
+         Kind := Bad_Checksum;
+      elsif Text_Length (F) > 1 then
+         if Pending = Version and then Is_Version (F) then
+            Kind := Version_Text;
+         end if;
+      else
+         case F.Data (1) is
+            when Character'Pos ('E') =>
+               Kind := Refused;
+            when Character'Pos ('C') =>
+               Kind := Unknown_Command;
+            when Character'Pos ('O') =>
+               if Class_Of (Pending) = Acknowledge then
+                  Kind := Done;
+               end if;
+            when Character'Pos ('0') | Character'Pos ('1') =>
+               if Class_Of (Pending) = Digit then
+                  Kind  := Digit_Kind (Pending);
+                  Value := Integer (F.Data (1)) - Character'Pos ('0');
+               end if;
+            when Character'Pos ('2') =>
+               if Pending = Battery then
+                  Kind  := Level;
+                  Value := 2;
+               end if;
+            when others =>
+               null;
+         end case;
+      end if;
+      R := (Kind, Value);
+   end Decode;
+
+   function Decoded (F : Frame) return Reading is
+   begin
+      if Is_Framed (F) then
+         for K in Command_Kind loop
+            if Is_Text_For (F, K) then
+               return
+                 (OK    => True,
+                  Value =>
+                    (Kind  => K,
+                     Value =>
+                       (if K in With_Argument
+                        then Argument_Value (F.Data, 3, F.Length - 2)
+                        else 0)));
+            end if;
+            pragma Loop_Invariant
+              (for all J in Command_Kind'First .. K =>
+                 not Is_Text_For (F, J));
+         end loop;
+      end if;
+      return (OK => False, Value => (Ping, 0));
+   end Decoded;
+
+   procedure Encode (C : Command; F : out Frame) is
+      Last : Frame_Length := 1;
+   begin
+      F := (Data => (others => 0), Length => 0);
+      F.Data (1) := Character'Pos (Letter (C.Kind));
+      if C.Kind in With_Argument then
+         F.Data (2) := Character'Pos ('=');
+         Last := 2;
+         if C.Value < 0 then
+            F.Data (3) := Character'Pos ('-');
+            Last := 3;
+         end if;
+         Byte_Decimals.Append (abs C.Value, 1, F.Data, Last);
+      end if;
+
+      declare
+         Before : constant Byte_Array := F.Data with Ghost;
+      begin
+         F.Data (Last + 1) := Checksum (F.Data, Last);
+         F.Data (Last + 2) := Terminator;
+         F.Length := Last + 2;
+         Prove_Same_Parity (Before, F.Data, Last);
+         if C.Kind in With_Argument then
+            Byte_Decimals.Prove_Same_Value
+              (Before, F.Data, (if C.Value < 0 then 4 else 3), Last);
+         end if;
+      end;
+      pragma Assert (Is_Framed (F));
+      pragma Assert (Is_Text_For (F, C.Kind));
+   end Encode;
+
+   procedure Get (R : Receiver; F : out Frame) is
+   begin
+      F := (Data   => R.Data,
+            Length => (if R.Overflow then 0 else R.Length));
+   end Get;
+
+   function Text_Of (F : Frame) return Commands.Answer_Text is
+   begin
+      return Result : Commands.Answer_Text :=
+        (Length => Text_Length (F), others => <>)
+      do
+         for I in 1 .. Result.Length loop
+            Result.Data (I) := Character'Val (F.Data (I));
+            pragma Loop_Invariant
+              (for all J in 1 .. I =>
+                 Result.Data (J) = Character'Val (F.Data (J)));
+         end loop;
+      end return;
+   end Text_Of;
+
+end Robot.Protocol;

@@ -1,0 +1,343 @@
+--  SPDX-License-Identifier: GPL-3.0-or-later
+--  The protocol of the robot: encodes commands as frames, receives frames, and
+--  decodes each as the answer to its command.
+
+with Bytes;    use Bytes; use type Bytes.Byte;
+with Commands;
+with Decimals;
+
+package Robot.Protocol with SPARK_Mode is
+
+   pragma Assertion_Policy (Subprogram_Variant => Ignore);
+   --  Proved; GNAT 12 cannot compile the run-time check.
+
+   --  Commands
+
+   type Command_Kind is
+     (Ping,
+      Reset,
+      Start,
+      Start_Watchdog,
+      Reload,
+      Battery,
+      Busy,
+      Version,
+      Power_Off,
+      Move,
+      Turn,
+      Unknown_Letter);
+   --  Unknown_Letter sends a letter that no firmware knows, answered by
+   --  "unknown command". It is the probe when late answers of all other
+   --  classes may arrive.
+
+   type Command is record
+      Kind  : Command_Kind      := Ping;
+      Value : Commands.Argument := 0;
+   end record;
+   --  Value is used by Move and Turn only.
+
+   Stop : constant Command := (Move, 0);
+
+   subtype With_Argument is Command_Kind range Move .. Turn;
+
+   function Letter (Kind : Command_Kind) return Character is
+     (case Kind is
+         when Ping           => 'p',
+         when Reset          => 'r',
+         when Start          => 'u',
+         when Start_Watchdog => 'W',
+         when Reload         => 'w',
+         when Battery        => 'v',
+         when Busy           => 'b',
+         when Version        => 'V',
+         when Power_Off      => 'z',
+         when Move           => 'M',
+         when Turn           => 'T',
+         when Unknown_Letter => '?');
+
+   --  Frames
+
+   Max_Frame : constant := 50;
+   --  Bytes, as in the firmware, whose buffer wraps for longer frames.
+
+   Terminator : constant Byte := 16#0D#;
+
+   subtype Frame_Length is Natural range 0 .. Max_Frame;
+
+   type Frame is record
+      Data   : Byte_Array (1 .. Max_Frame) := (others => 0);
+      Length : Frame_Length                := 0;
+   end record;
+   --  The first Length bytes of Data are valid.
+
+   function Parity (Data : Byte_Array; Last : Natural) return Byte is
+     (if Last = 0 then 0
+      else Parity (Data, Last - 1) xor Data (Last))
+   with
+     Ghost,
+     Pre => Data'First = 1
+       and then Last <= Data'Last
+       and then Last <= Max_Frame,
+     Subprogram_Variant => (Decreases => Last);
+   --  The exclusive or of the first Last bytes.
+
+   function Checksum (Data : Byte_Array; Length : Natural) return Byte
+   with
+     Pre  => Data'First = 1
+       and then Length <= Data'Last
+       and then Length <= Max_Frame,
+     Post => Checksum'Result =
+       (if Parity (Data, Length) = Terminator then 16#0E#
+        else Parity (Data, Length));
+   --  The checksum of the first Length bytes: never equal to the terminator.
+
+   function Is_Framed (F : Frame) return Boolean is
+     (F.Length >= 3
+      and then F.Data (F.Length) = Terminator
+      and then
+        (for all I in 1 .. F.Length - 1 => F.Data (I) /= Terminator)
+      and then F.Data (F.Length - 1) = Checksum (F.Data, F.Length - 2));
+   --  Text, checksum and terminator, with no terminator before the end.
+
+   --  Used in the contracts on commands
+
+   package Byte_Decimals is new Decimals (Byte, Byte_Array);
+
+   function Is_Argument
+     (Data : Byte_Array; First : Positive; Last : Natural) return Boolean
+   is (if First < Last and then Data (First) = Character'Pos ('-') then
+          Last - First <= 5
+          and then Byte_Decimals.Are_Digits (Data, First + 1, Last)
+          and then Byte_Decimals.Value (Data, First + 1, Last) <= 32_768
+       else First <= Last
+         and then Last - First < 5
+         and then Byte_Decimals.Are_Digits (Data, First, Last)
+         and then Byte_Decimals.Value (Data, First, Last) <= 32_767)
+   with Pre => First >= Data'First
+     and then First < Integer'Last
+     and then Last <= Data'Last;
+   --  An optional minus sign and up to five digits, within the range.
+
+   function Argument_Value
+     (Data : Byte_Array; First : Positive; Last : Natural)
+      return Commands.Argument
+   is (if First < Last and then Data (First) = Character'Pos ('-')
+       then -Byte_Decimals.Value (Data, First + 1, Last)
+       else Byte_Decimals.Value (Data, First, Last))
+   with Pre => First >= Data'First
+     and then First < Integer'Last
+     and then Last <= Data'Last
+     and then Is_Argument (Data, First, Last);
+
+   function Is_Text_For (F : Frame; Kind : Command_Kind) return Boolean is
+     (F.Length >= 3
+      and then F.Data (1) = Character'Pos (Letter (Kind))
+      and then
+        (if Kind in With_Argument then
+            F.Length >= 5
+            and then F.Data (2) = Character'Pos ('=')
+            and then Is_Argument (F.Data, 3, F.Length - 2)
+         else F.Length = 3));
+   --  The frame has the text of a command of this kind.
+
+   type Reading is record
+      OK    : Boolean := False;
+      Value : Command;
+   end record;
+
+   function Decoded (F : Frame) return Reading
+   with
+     Post =>
+       (if Decoded'Result.OK then
+           Is_Framed (F)
+           and then Is_Text_For (F, Decoded'Result.Value.Kind)
+           and then Decoded'Result.Value.Value =
+             (if Decoded'Result.Value.Kind in With_Argument
+              then Argument_Value (F.Data, 3, F.Length - 2)
+              else 0)
+        else
+           not Is_Framed (F)
+           or else (for all K in Command_Kind => not Is_Text_For (F, K)));
+   --  Decodes a command's frame, as the robot does; OK is False for all that
+   --  Encode never writes. For proofs and tests: the supervisor only writes
+   --  commands.
+
+   function Is_Movement (C : Command) return Boolean is
+     (C.Kind in With_Argument and then C /= Stop);
+   --  The command moves the robot.
+
+   procedure Encode (C : Command; F : out Frame)
+   with
+     Post => Is_Framed (F)
+       and then F.Length <= 10
+       and then F.Data (1) = Character'Pos (Letter (C.Kind))
+       and then Decoded (F).OK
+       and then Decoded (F).Value.Kind = C.Kind
+       and then Decoded (F).Value.Value =
+                  (if C.Kind in With_Argument then C.Value else 0);
+   --  The frame of command C.
+
+   --  Replies
+
+   type Reply_Kind is
+     (Done,             --  O
+      Level,            --  0 .. 2, after Battery
+      Moving_State,     --  0, 1, after Busy
+      Version_Text,     --  after Version
+      Refused,          --  E: wrong state, or bad checksum received
+      Unknown_Command,  --  C
+      Bad_Checksum,
+      Wrong_Kind,       --  valid frame, but no answer to this command
+      Malformed);       --  too short for a text and its checksum, or too long
+
+   subtype Accepted_Reply is Reply_Kind range Done .. Version_Text;
+
+   subtype Failed_Reply is Reply_Kind range Bad_Checksum .. Malformed;
+   --  Not an answer: the exchange failed.
+
+   subtype Reply_Value is Integer range 0 .. 2;
+
+   type Reply is record
+      Kind  : Reply_Kind  := Malformed;
+      Value : Reply_Value := 0;
+   end record;
+   --  Value is the digit of a Level or a Moving_State, otherwise 0.
+
+   type Answer_Class is (Acknowledge, Digit, Text, Unknown);
+   --  Classes of answers by form: no text belongs to two of them.
+
+   function Class_Of (Kind : Command_Kind) return Answer_Class is
+     (case Kind is
+         when Ping .. Reload | Power_Off .. Turn => Acknowledge,
+         when Battery | Busy                     => Digit,
+         when Version                            => Text,
+         when Unknown_Letter                     => Unknown);
+   --  The class of the answer if the robot has understood the command.
+
+   function Is_Answer
+     (Reply : Reply_Kind; Pending : Command_Kind) return Boolean
+   is (case Reply is
+          when Done            => Class_Of (Pending) = Acknowledge,
+          when Level           => Pending = Battery,
+          when Moving_State    => Pending = Busy,
+          when Version_Text    => Pending = Version,
+          when Unknown_Command => Pending = Unknown_Letter,
+          when others          => False);
+   --  Whether Reply has the class of Pending: the answer that a probe waits
+   --  for. Refused never has, since any command damaged on the line is
+   --  refused.
+
+   --  Used in the contract of Decode. The frame's terminator may be present or
+   --  already removed.
+
+   function Text_Length (F : Frame) return Natural is
+     (if F.Length > 0 and then F.Data (F.Length) = Terminator
+      then Natural'Max (F.Length - 2, 0)
+      else Natural'Max (F.Length - 1, 0))
+   with Post => Text_Length'Result <= Max_Frame - 1
+     and then (if Text_Length'Result > 0 then
+                  Text_Length'Result < F.Length);
+   --  Bytes before the checksum; 0 if there is no text.
+
+   function Text_Of (F : Frame) return Commands.Answer_Text
+   with Post => Text_Of'Result.Length = Text_Length (F)
+     and then (for all I in 1 .. Text_Length (F) =>
+                 Text_Of'Result.Data (I) = Character'Val (F.Data (I)));
+
+   function Is_Sound (F : Frame) return Boolean is
+     (F.Data (Text_Length (F) + 1) = Checksum (F.Data, Text_Length (F)));
+   --  The checksum is right.
+
+   function Is_Character (F : Frame; C : Character) return Boolean is
+     (Text_Length (F) = 1 and then F.Data (1) = Character'Pos (C));
+   --  The text is the single character C.
+
+   function Is_Version (F : Frame) return Boolean is
+     (Text_Length (F) >= 2
+      and then F.Data (1) in Character'Pos ('0') .. Character'Pos ('9')
+      and then (for all I in 1 .. Text_Length (F) =>
+                  F.Data (I) in Character'Pos (' ') .. Character'Pos ('~'))
+      and then (for some I in 1 .. Text_Length (F) =>
+                  F.Data (I) = Character'Pos ('.')));
+   --  The text is a version such as 3.5: it begins with a digit and has a
+   --  point, so no answer of another class is taken for it, nor two answers in
+   --  one frame.
+
+   function Digit_Kind (Pending : Command_Kind) return Reply_Kind is
+     (if Pending = Battery then Level else Moving_State);
+
+   procedure Decode (F : Frame; Pending : Command_Kind; R : out Reply)
+   with
+     Post =>
+       R =
+         (if Text_Length (F) = 0 then (Malformed, 0)
+          elsif not Is_Sound (F) then (Bad_Checksum, 0)
+          elsif Is_Character (F, 'E') then (Refused, 0)
+          elsif Is_Character (F, 'C') then (Unknown_Command, 0)
+          elsif Is_Character (F, 'O')
+            and then Class_Of (Pending) = Acknowledge
+          then (Done, 0)
+          elsif Is_Character (F, '0')
+            and then Class_Of (Pending) = Digit
+          then (Digit_Kind (Pending), 0)
+          elsif Is_Character (F, '1')
+            and then Class_Of (Pending) = Digit
+          then (Digit_Kind (Pending), 1)
+          elsif Is_Character (F, '2') and then Pending = Battery
+          then (Level, 2)
+          elsif Is_Version (F) and then Pending = Version
+          then (Version_Text, 0)
+          else (Wrong_Kind, 0));
+   --  The meaning of frame F as the answer to Pending. Every frame has one. An
+   --  empty frame, which Get returns if the frame was too long, is Malformed.
+
+   --  Receiving
+
+   type Receiver is record
+      Data     : Byte_Array (1 .. Max_Frame) := (others => 0);
+      Length   : Frame_Length                := 0;
+      Overflow : Boolean                     := False;
+      Finished : Boolean                     := False;
+   end record;
+   --  The frame being received, without its terminator. Overflow: more than
+   --  Max_Frame bytes, the rest was dropped. Finished: its terminator has been
+   --  received, and the next byte starts another frame.
+
+   procedure Clear (R : out Receiver)
+   with Post => R.Length = 0 and then not R.Overflow and then not R.Finished;
+   --  Discards all that has been received.
+
+   procedure Accept_Byte
+     (R : in out Receiver; B : Byte; Complete : out Boolean)
+   with
+     Post => Complete = (B = Terminator)
+       and then R.Finished = Complete
+       and then
+         (if R'Old.Finished then
+             R.Length = (if Complete then 0 else 1)
+             and then not R.Overflow
+          elsif Complete then
+             R.Length = R'Old.Length and then R.Overflow = R'Old.Overflow
+          elsif R'Old.Length = Max_Frame then
+             R.Length = Max_Frame and then R.Overflow
+          else
+             R.Length = R'Old.Length + 1
+             and then R.Overflow = R'Old.Overflow)
+       and then
+         (if not R'Old.Finished then
+            (for all I in 1 .. R'Old.Length => R.Data (I) = R'Old.Data (I)))
+       and then
+         (if not Complete and then not R.Overflow then
+             R.Data (R.Length) = B);
+   --  Takes the next byte from the line. Complete: it ended a frame, which Get
+   --  returns. NUL bytes are kept, since a checksum may be NUL. The robot
+   --  itself drops NUL bytes, but no command has such a checksum.
+
+   procedure Get (R : Receiver; F : out Frame)
+   with
+     Post => F.Length = (if R.Overflow then 0 else R.Length)
+       and then (for all I in 1 .. F.Length => F.Data (I) = R.Data (I));
+   --  The received frame, without its terminator; empty if it was too long,
+   --  which Decode rejects as malformed.
+
+end Robot.Protocol;

@@ -1,0 +1,349 @@
+--  SPDX-License-Identifier: GPL-3.0-or-later
+--  The session with the robot: what each request means in each state, as a
+--  sequence of steps, which the task that has the line carries out.
+
+with Commands; use Commands;
+with Robot.Health;
+with Robot.Protocol;
+
+package Robot.Session with SPARK_Mode is
+
+   use type Commands.Answer_Text;
+   use type Robot.Protocol.Command;
+   use type Robot.Protocol.Command_Kind;
+
+   type Mode_Kind is (Not_Started, Started, Started_With_Watchdog);
+
+   type State is record
+      Line_Open : Boolean          := False;
+      Mode      : Mode_Kind        := Not_Started;
+      Idle      : Boolean          := False;
+      --  the robot is known not to run: it has acknowledged a reset, and no
+      --  start has been sent since
+      Health    : Robot.Health.State;
+   end record;
+   --  The initial state: line closed, robot not started
+
+   function Is_Consistent (S : State) return Boolean is
+     ((if S.Idle or else not S.Line_Open then S.Mode = Not_Started)
+      and then not Robot.Health.Lost (S.Health));
+   --  A started robot has an open line; a lost line is always closed
+
+   function Command_For (R : Request) return Robot.Protocol.Command is
+     (case R.Kind is
+         when Open_Line | Reset       => (Robot.Protocol.Reset, 0),
+         when Start                   => (Robot.Protocol.Start, 0),
+         when Start_Watchdog          => (Robot.Protocol.Start_Watchdog, 0),
+         when Ping | Keep_Alive       => (Robot.Protocol.Ping, 0),
+         when Power_Off               => (Robot.Protocol.Power_Off, 0),
+         when Get_Battery             => (Robot.Protocol.Battery, 0),
+         when Get_Version             => (Robot.Protocol.Version, 0),
+         when Get_Moving              => (Robot.Protocol.Busy, 0),
+         when Drive                   =>
+           ((case R.Command.Kind is
+               when Move => Robot.Protocol.Move,
+               when Turn => Robot.Protocol.Turn),
+            R.Command.Value),
+         when Close_Line | Stop       => Robot.Protocol.Stop,
+         when Reload | Reload_By_Hand => (Robot.Protocol.Reload, 0));
+   --  The robot's command for R
+
+   function Changes_Session (Kind : Request_Kind) return Boolean is
+     (Kind in Open_Line | Close_Line | Start | Start_Watchdog | Reset
+        | Power_Off);
+   --  All earlier orders are carried out before these, and all later ones
+   --  after. Only stops overtake them
+
+   type Step_Kind is
+     (Open_Device,
+      Close_Device,
+      Send,        --  write the command, await no answer
+      Exchange,    --  write the command, await its answer
+      Synchronise, --  the same, and skip the frames of other classes
+      Finish);     --  the outcome is final
+
+   type Step is record
+      Kind    : Step_Kind              := Finish;
+      Command : Robot.Protocol.Command := Robot.Protocol.Stop;
+   end record;
+
+   type Step_Result is record
+      Ok    : Boolean := False;
+      --  Open_Device: it is open; Exchange, Synchronise: a valid answer came
+      --  in time, which is Reply
+      Reply : Robot.Protocol.Reply;
+      Text  : Commands.Answer_Text;
+      --  of the reply's frame
+   end record;
+
+   type Progress is private;
+   --  The progress of a request
+
+   function Result (P : Progress) return Outcome;
+   --  The outcome of the request, once its step is Finish
+
+   --  Used in the contracts
+
+   function Is_Sent (Next : Step) return Boolean is
+     (Next.Kind in Send | Exchange | Synchronise);
+   --  The step writes its command to the line
+
+   function Sends_Stop (Next : Step) return Boolean is
+     (Is_Sent (Next) and then Next.Command = Robot.Protocol.Stop);
+
+   function Sends_Movement (Next : Step) return Boolean is
+     (Is_Sent (Next) and then Robot.Protocol.Is_Movement (Next.Command));
+
+   function Sends_Reload (Next : Step) return Boolean is
+     (Is_Sent (Next) and then Next.Command.Kind = Robot.Protocol.Reload);
+
+   function Is_Reload_Active (S : State) return Boolean is
+     (S.Mode = Started_With_Watchdog);
+   --  The supervisor reloads the robot's watchdog periodically
+
+   function Is_Accepted (Last : Step_Result) return Boolean is
+     (Last.Ok and then Last.Reply.Kind in Robot.Protocol.Accepted_Reply);
+   --  The robot acknowledged the step's command
+
+   function Request_Of (P : Progress) return Request with Ghost;
+
+   function Has_Stopped (P : Progress) return Boolean with Ghost;
+   --  A step of this request has sent a stop
+
+   function Is_Under_Way (S : State; P : Progress) return Boolean
+   with Ghost;
+   --  P belongs to S: the invariant of a request, valid between its steps
+
+   Max_Steps : constant := 19;
+
+   function Steps_Left (S : State; P : Progress) return Natural with Ghost;
+   --  Upper bound of the remaining steps; 0 once the outcome is final
+
+   function Is_Allowed (S : State; P : Progress; Next : Step) return Boolean
+   is
+     --  a movement is sent only while started, and never after a stop
+     ((if Sends_Movement (Next) then
+          S.Mode /= Not_Started and then not Has_Stopped (P))
+      --  a periodic reload is sent while reloads are active, a monitor's
+      --  reload only while they are not
+      and then
+        (if Sends_Reload (Next) then
+            Request_Of (P).Kind =
+              (if Is_Reload_Active (S) then Reload else Reload_By_Hand))
+      --  nothing is sent on a closed line
+      and then
+        (if Is_Sent (Next) or else Next.Kind = Close_Device then S.Line_Open)
+      --  in step: await the answer; out of step: skip late answers
+      and then
+        (if Next.Kind = Exchange then Robot.Health.In_Step (S.Health)
+         elsif Next.Kind = Synchronise then
+            not Robot.Health.In_Step (S.Health)
+            and then not Robot.Health.Lost (S.Health)
+            and then Next.Command.Kind = Robot.Health.Probe (S.Health))
+      --  only a stop, and the reset of a newly opened line, are sent without
+      --  awaiting an answer
+      and then
+        (if Next.Kind = Send then
+            Sends_Stop (Next)
+            or else (Next.Command.Kind = Robot.Protocol.Reset
+                     and then Request_Of (P).Kind = Open_Line))
+      and then
+        (if Next.Kind = Finish then
+            Is_Consistent (S) and then Steps_Left (S, P) = 0))
+   with
+     Ghost,
+     Pre => Is_Under_Way (S, P);
+   --  Holds for every step of every request
+
+   procedure Start_Request
+     (S    : State;
+      R    : Request;
+      P    : out Progress;
+      Next : out Step)
+   with
+     Pre  => Is_Consistent (S),
+     Post => Is_Under_Way (S, P)
+       and then Is_Allowed (S, P, Next)
+       and then Request_Of (P) = R
+       and then Has_Stopped (P) = Sends_Stop (Next)
+       and then Steps_Left (S, P) <= Max_Steps
+       and then (if R.Kind = Drive and then S.Mode = Not_Started
+                 then Next.Kind = Finish)
+       and then (if R.Kind = Reload
+                 then (Next.Kind /= Finish) = Is_Reload_Active (S))
+       and then (if not S.Line_Open
+                 then Next.Kind in Open_Device | Finish);
+   --  The first step of R
+
+   procedure Continue_Request
+     (S    : in out State;
+      P    : in out Progress;
+      Last : Step_Result;
+      Next : out Step)
+   with
+     Pre  => Is_Under_Way (S, P),
+     Post => Is_Under_Way (S, P)
+       and then Is_Allowed (S, P, Next)
+       and then Request_Of (P) = Request_Of (P'Old)
+       and then Has_Stopped (P) =
+                  (Has_Stopped (P'Old) or else Sends_Stop (Next))
+       and then (Next.Kind = Finish
+                 or else Steps_Left (S, P) < Steps_Left (S'Old, P'Old))
+       --  started only by an acknowledged start
+       and then
+         (if S.Mode /= S'Old.Mode and then S.Mode /= Not_Started then
+             Is_Accepted (Last)
+             and then Next.Kind = Finish
+             and then Result (P).Kind = Done
+             and then Request_Of (P).Kind =
+               (if S.Mode = Started then Start else Start_Watchdog))
+       --  and never left without a stop before
+       and then
+         (if S.Mode /= S'Old.Mode and then S.Mode = Not_Started then
+             Has_Stopped (P'Old))
+       --  the line of a lost robot is closed
+       and then
+         (if Next.Kind = Finish and then Result (P).Note = Robot_Lost
+          then not S.Line_Open);
+   --  The next step of the same request, after its last step gave Last
+
+private
+
+   type Phase_Kind is
+     (Opening,       --  the device
+      Clearing,      --  the reset after opening, and a probe
+      Leaving,       --  the stop before leaving "started"
+      Acting,        --  the command of the request itself
+      Asking_Motion, --  after a refused reload: does it move?
+      Testing_Run,   --  it does not, or has refused a movement or a stop: does
+                     --  it still accept a stop?
+      Closing,       --  the device
+      Losing,        --  the last stop on a lost line
+      Ended);
+
+   Leave_Tries : constant := 3;
+   --  Attempts of the stop before leaving, while the line works
+
+   subtype Try_Count is Natural range 0 .. Leave_Tries;
+
+   type Progress is record
+      Request  : Commands.Request;
+      Phase    : Phase_Kind                  := Ended;
+      Wanted   : Robot.Protocol.Command      := Robot.Protocol.Stop;
+      --  the command of the phase's exchange
+      Probing  : Robot.Protocol.Command_Kind := Robot.Protocol.Version;
+      In_Probe : Boolean                     := False;
+      --  the current exchange only synchronises the line
+      Blind    : Boolean                     := False;
+      --  the stop has been sent once while out of step
+      Stopped  : Boolean                     := False;
+      --  a stop has been sent, in step or not
+      Tries    : Try_Count                   := 0;
+      Off_Sent : Boolean                     := False;
+      --  Power_Off has been sent, and was not answered
+      Result   : Outcome;
+   end record;
+
+   function Result (P : Progress) return Outcome is (P.Result);
+
+   function Request_Of (P : Progress) return Request is (P.Request);
+
+   function Has_Stopped (P : Progress) return Boolean is (P.Stopped);
+
+   subtype Exchange_Phase is Phase_Kind range Clearing .. Testing_Run;
+
+   function May_Act (S : State; P : Progress) return Boolean is
+     (case P.Request.Kind is
+         when Open_Line                      => False,
+         when Close_Line | Reset | Power_Off =>
+           S.Mode = Not_Started or else P.Stopped,
+         when Drive                          =>
+           S.Mode /= Not_Started and then not P.Stopped,
+         when Reload                         => Is_Reload_Active (S),
+         when Reload_By_Hand                 => not Is_Reload_Active (S),
+         when others                         => True)
+   with Ghost;
+   --  The request's own command may be sent on the open line
+
+   function Is_Exchanging (S : State; P : Progress) return Boolean is
+     (P.Phase in Exchange_Phase
+      and then S.Line_Open
+      and then not Robot.Health.Lost (S.Health)
+      and then
+        (if P.In_Probe then not Robot.Health.In_Step (S.Health)
+         elsif not Robot.Health.In_Step (S.Health) then
+            P.Phase = Clearing
+            or else (P.Blind and then P.Wanted = Robot.Protocol.Stop))
+      and then
+        (if P.Blind or else P.Wanted = Robot.Protocol.Stop
+         then P.Stopped))
+   with Ghost;
+   --  A command of an exchange has been sent: the blind stop, the reset of a
+   --  newly opened line, a probe or the wanted one
+
+   function Is_Under_Way (S : State; P : Progress) return Boolean is
+     ((if P.Result.Note = Robot_Lost then
+          P.Phase in Losing | Closing
+          or else (P.Phase = Ended and then not S.Line_Open))
+      and then (if S.Idle then S.Mode = Not_Started)
+      and then
+        (case P.Phase is
+            when Ended   => Is_Consistent (S),
+            when Opening =>
+              P.Request.Kind = Open_Line
+              and then not S.Line_Open
+              and then not P.Blind
+              and then Is_Consistent (S),
+            when Losing  => S.Line_Open and then P.Stopped,
+            when Closing => S.Mode = Not_Started or else P.Stopped,
+            when Exchange_Phase =>
+              Is_Exchanging (S, P)
+              and then
+                (case Exchange_Phase'(P.Phase) is
+                    when Clearing      =>
+                      P.Request.Kind = Open_Line
+                      and then S.Mode = Not_Started
+                      and then P.Wanted.Kind = Robot.Protocol.Reset,
+                    when Leaving       =>
+                      P.Wanted = Robot.Protocol.Stop
+                      and then P.Request.Kind in
+                        Close_Line | Reset | Power_Off,
+                    when Acting        =>
+                      P.Request.Kind /= Close_Line
+                      and then P.Wanted = Command_For (P.Request)
+                      and then
+                        (May_Act (S, P)
+                         or else P.Wanted = Robot.Protocol.Stop),
+                    when Asking_Motion =>
+                      P.Request.Kind = Reload
+                      and then P.Wanted.Kind = Robot.Protocol.Busy,
+                    when Testing_Run   =>
+                      P.Request.Kind in Reload | Drive | Stop
+                      and then P.Wanted = Robot.Protocol.Stop)));
+
+   function Exchanges_Left (S : State; P : Progress) return Natural is
+     (if P.In_Probe then 2
+      elsif Robot.Health.In_Step (S.Health) then 1
+      else 3)
+   with Ghost;
+   --  A blind stop, a probe, and the wanted command
+
+   function Steps_Left (S : State; P : Progress) return Natural is
+     (case P.Phase is
+         when Ended                  => 0,
+         when Closing                => 1,
+         when Losing                 => 2,
+         when Opening                => 6,
+         when Clearing | Testing_Run => 2 + Exchanges_Left (S, P),
+         when Asking_Motion          => 5 + Exchanges_Left (S, P),
+         when Acting                 =>
+           (case P.Request.Kind is
+               when Reload       => 8,
+               when Drive | Stop => 5,
+               when Power_Off    => (if P.Off_Sent then 2 else 4),
+               when others       => 2)
+           + Exchanges_Left (S, P),
+         when Leaving                =>
+           7 + 3 * (Leave_Tries - P.Tries) + Exchanges_Left (S, P));
+
+end Robot.Session;
