@@ -190,11 +190,9 @@ package Commands with SPARK_Mode is
       when Abort_Mission =>
         ("MABT", None, Th_Move, (Stop, Still), Done_Label),
       when Move_Robot =>
-        ("RMOV", Number, Th_Move, (Drive, (Move, 0)),
-         Done_Label),
+        ("RMOV", Number, Th_Move, (Drive, (Move, 0)), Done_Label),
       when Turn_Robot =>
-        ("RTRN", Number, Th_Move, (Drive, (Turn, 0)),
-         Done_Label),
+        ("RTRN", Number, Th_Move, (Drive, (Turn, 0)), Done_Label),
       when Power_Off_Robot =>
         ("RPOF", None, Th_Reset_Robot, (Power_Off, Still), Done_Label),
       when Get_Battery =>

@@ -456,7 +456,7 @@ def vivid(machine: Machine) -> None:
         if monitor.ask("COPN") != "ANAK":
             raise Wrong("a camera that is not there opens")
         machine.run("modprobe vivid n_devs=1 node_types=0x20001")
-        machine.expect("test -c /dev/video1")
+        machine.expect("test -c /dev/video1 && udevadm settle")
         monitor.demand("COPN")
         monitor.ask("", "CIMG:")
         since = machine.mark()
@@ -464,7 +464,7 @@ def vivid(machine: Machine) -> None:
         monitor.ask("", "MSSG:camera closed")
         machine.logged("camera closed: it delivers", since)
         machine.run("echo vivid.0 >/sys/bus/platform/drivers/vivid/bind")
-        machine.expect("test -c /dev/video0")
+        machine.expect("test -c /dev/video0 && udevadm settle")
         monitor.demand("COPN")
         monitor.ask("", "CIMG:")
     for options, fact in (
