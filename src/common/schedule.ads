@@ -36,7 +36,7 @@ package Schedule with SPARK_Mode is
    First_Retry_Ms    : constant := 1100;
    Next_Retry_Ms     : constant := 1200;
    --  the same after a reload without an answer, and after the following ones:
-   --  Robot.Reload_Times
+   --  Robot.Line_Status
    Battery_Period    : constant Time_Span := Milliseconds (500);   --  F13
    Keep_Alive_Period : constant Time_Span := Milliseconds (140);
    --  without an exchange: four failures of 140 ms + 87 ms each take less than

@@ -5,7 +5,6 @@ with Admission.Secret_Files;
 with Console;
 with Monitor.Sockets.Listener;
 with Process.Privileges;
-with Program_Arguments;
 with Robot.Serial_Line;
 with Texts;
 with Trace;
@@ -22,7 +21,7 @@ package body Checks with SPARK_Mode is
         and then Text (I .. I + (Part'Length - 1)) = Part)
    with Pre => Text'First = 1 and then Part'Length in 1 .. 80;
 
-   Program   : constant Texts.Text := Program_Arguments.Program;
+   Program   : constant Texts.Text := Process.Program;
    Installed : constant Boolean :=
      not Contains (Texts.Image (Program), "/")
      or else (Program.Length >= 5 and then Program.Data (1 .. 5) = "/usr/");

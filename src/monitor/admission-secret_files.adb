@@ -1,7 +1,7 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
 
 with Admission.Secret_Files.Calls;
-with Error_Texts;
+with Process;
 
 package body Admission.Secret_Files with
   SPARK_Mode,
@@ -29,7 +29,7 @@ is
       end if;
       Calls.Read (Texts.Image (Path), Data, Mode, Owner, Result);
       if Result < 0 then
-         Error_Texts.Describe (-Result, Reason);
+         Process.Describe (-Result, Reason);
       elsif not Is_Kept_Secret (Mode, Owner) then
          Texts.Set
            (Reason,

@@ -4,7 +4,6 @@ with Ada.Real_Time;  use Ada.Real_Time;
 with Interfaces;
 with Interfaces.C;   use Interfaces.C;
 with Monitor.Sockets.Stream_Calls;
-with Monitor.Tcp_Infos;
 
 package body Monitor.Sockets.Connection with
   SPARK_Mode,
@@ -95,14 +94,14 @@ is
       Owes        : constant Boolean := Owing;
       Whole       : Seconds_Count;
       Rest        : Time_Span;
-      Info        : Monitor.Tcp_Infos.Tcp_Info;
+      Info        : Monitor.Link.Tcp_Info;
       Filled      : Natural;
    begin
       --  no division of the whole time: its result is an Integer, which
       --  overflows after 25 days of milliseconds
       Split (Now, Whole, Rest);
       Streams.Get_Info (Peer_Socket, Info, Filled);
-      Link := Monitor.Tcp_Infos.Sample_Of
+      Link := Monitor.Link.Sample_Of
         (Info, Filled,
          Monitor.Link.Time_Of
            (Monitor.Link.Seconds (Whole), Rest / Milliseconds (1)));

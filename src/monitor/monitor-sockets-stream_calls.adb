@@ -33,7 +33,7 @@ is
    end Get_Error;
 
    procedure Get_Info
-     (S : Socket; Info : out Monitor.Tcp_Infos.Tcp_Info; Filled : out Natural)
+     (S : Socket; Info : out Monitor.Link.Tcp_Info; Filled : out Natural)
    is
       Size : unsigned := Info'Size / 8;
    begin

@@ -5,7 +5,7 @@
 
 with Interfaces;
 with Interfaces.C; use Interfaces.C;
-with Monitor.Tcp_Infos;
+with Monitor.Link;
 
 generic
 package Monitor.Sockets.Stream_Calls with
@@ -53,7 +53,7 @@ is
    --  The error of the socket, and clears it. 0 if there is none
 
    procedure Get_Info
-     (S : Socket; Info : out Monitor.Tcp_Infos.Tcp_Info; Filled : out Natural)
+     (S : Socket; Info : out Monitor.Link.Tcp_Info; Filled : out Natural)
    with Global => (In_Out => Kernel);
    --  Filled: the bytes of Info that are known, 0 if the call failed
 

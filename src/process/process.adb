@@ -1,11 +1,29 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
 
+with Ada.Command_Line;
+with GNAT.OS_Lib;
 with Interfaces.C; use Interfaces.C;
 
 package body Process with
   SPARK_Mode    => Off,
   Refined_State => (System_State => null)
 is
+
+   function Value (Index : Positive) return String is
+     (if Index <= Argument_Count then Ada.Command_Line.Argument (Index)
+      else "");
+
+   function Argument (Index : Positive) return Texts.Text is
+     (Texts.To_Text (Value (Index)));
+
+   function Argument_Count return Natural is
+     (Ada.Command_Line.Argument_Count);
+
+   function Is_Whole (Index : Positive) return Boolean is
+     (Value (Index)'Length <= Texts.Max_Length);
+
+   function Program return Texts.Text is
+     (Texts.To_Text (Ada.Command_Line.Command_Name));
 
    procedure Exit_At_Once (Status : int)
    with Import, Convention => C, External_Name => "_exit", No_Return;
@@ -14,6 +32,11 @@ is
    begin
       Exit_At_Once (int (Status));
    end Leave;
+
+   procedure Describe (Error : Integer; Text : out Texts.Text) is
+   begin
+      Texts.Set (Text, GNAT.OS_Lib.Errno_Message (Error));
+   end Describe;
 
    --  The machine
 

@@ -1,6 +1,6 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  The process, its end and its machine. Its child packages: signals,
---  privileges and threads.
+--  The process: its arguments, its end, the system's words for errors, and
+--  its machine. Its child packages: signals, privileges and threads.
 
 with Texts;
 
@@ -12,6 +12,22 @@ package Process with
   Initializes => System_State
 is
 
+   --  The arguments. They never change
+
+   function Program return Texts.Text with Global => null;
+   --  As it was called: with the path, unless it was found in PATH
+
+   function Argument_Count return Natural with Global => null;
+
+   function Is_Whole (Index : Positive) return Boolean with Global => null;
+   --  Argument Index, counted from 1, fits into a text
+
+   function Argument (Index : Positive) return Texts.Text
+   with Global => null;
+   --  As much of it as fits; empty if there is none
+
+   --  The end, errors, the machine
+
    type Exit_Status is range 0 .. 255;
 
    Success          : constant Exit_Status := 0;
@@ -22,6 +38,10 @@ is
    procedure Leave (Status : Exit_Status)
    with Global => (In_Out => System_State), No_Return;
    --  Ends the process at once, with all its tasks
+
+   procedure Describe (Error : Integer; Text : out Texts.Text)
+   with Global => null, Annotate => (GNATprove, Terminating);
+   --  Errno in words, such as "No such file or directory"
 
    procedure Get_Kernel (Name, Version : out Texts.Text)
    with Global => (In_Out => System_State);

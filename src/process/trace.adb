@@ -1,8 +1,8 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
 
 with Ada.Real_Time; use Ada.Real_Time;
-with Error_Texts;
 with Interfaces;    use Interfaces;
+with Process;
 with Trace.Calls;   use Trace.Calls;
 with Trace.Ring;    use Trace.Ring;
 
@@ -63,7 +63,7 @@ is
       if Error = 0 then
          Texts.Set (Reason, "");
       else
-         Error_Texts.Describe (Error, Reason);
+         Process.Describe (Error, Reason);
       end if;
    end Set_Reason;
 

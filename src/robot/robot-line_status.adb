@@ -2,8 +2,6 @@
 
 package body Robot.Line_Status with SPARK_Mode is
 
-   use Robot.Reload_Times;
-
    function Next_Due (Due, Now : Time; Period : Time_Span) return Time is
      (if Due + Period > Now then Due + Period else Now + Period);
    --  A period after Due; periods that could not be kept are left out, not

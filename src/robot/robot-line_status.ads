@@ -5,7 +5,6 @@
 with Ada.Real_Time; use Ada.Real_Time;
 with Commands;
 with Robot.Health;
-with Robot.Reload_Times;
 with Robot.Requests;
 with Robot.Session;
 with Schedule;
@@ -47,11 +46,26 @@ package Robot.Line_Status with SPARK_Mode is
       --  failed exchanges in a row
    end record;
 
+   --  How long after a reload of the watchdog the next is due. The robot
+   --  counts ticks of 100 ms, accepts a reload at 9 to 11 of them, and counts
+   --  anew at the 12th, a miss, or after a reload. If a reload has no answer,
+   --  either it or its answer was lost: the next must be right in both cases
+
+   subtype Unanswered_Count is Natural range 0 .. 2;
+   --  Reloads without an answer in a row; 2: or more
+
+   function Interval_After (Unanswered : Unanswered_Count) return Positive is
+     (case Unanswered is
+         when 0 => Schedule.Reload_Ms,
+         when 1 => Schedule.First_Retry_Ms,
+         when 2 => Schedule.Next_Retry_Ms);
+   --  Milliseconds from this reload to the next
+
    type State is record
       Known       : Status;
       Reload_Due  : Time := Time_Last;
       Battery_Due : Time := Time_Last;
-      Unanswered  : Robot.Reload_Times.Unanswered_Count := 0;
+      Unanswered  : Unanswered_Count := 0;
       --  reloads
    end record;
 

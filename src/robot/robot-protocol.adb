@@ -94,28 +94,6 @@ package body Robot.Protocol with SPARK_Mode is
       R := (Kind, Value);
    end Decode;
 
-   function Decoded (F : Frame) return Reading is
-   begin
-      if Is_Framed (F) then
-         for K in Command_Kind loop
-            if Is_Text_For (F, K) then
-               return
-                 (OK    => True,
-                  Value =>
-                    (Kind  => K,
-                     Value =>
-                       (if K in With_Argument
-                        then Argument_Value (F.Data, 3, F.Length - 2)
-                        else 0)));
-            end if;
-            pragma Loop_Invariant
-              (for all J in Command_Kind'First .. K =>
-                 not Is_Text_For (F, J));
-         end loop;
-      end if;
-      return (OK => False, Value => (Ping, 0));
-   end Decoded;
-
    procedure Encode (C : Command; F : out Frame) is
       Last : Frame_Length := 1;
    begin

@@ -140,42 +140,19 @@ package Robot.Protocol with SPARK_Mode is
          else F.Length = 3));
    --  The frame has the text of a command of this kind.
 
-   type Reading is record
-      OK    : Boolean := False;
-      Value : Command;
-   end record;
-
-   function Decoded (F : Frame) return Reading
-   with
-     Post =>
-       (if Decoded'Result.OK then
-           Is_Framed (F)
-           and then Is_Text_For (F, Decoded'Result.Value.Kind)
-           and then Decoded'Result.Value.Value =
-             (if Decoded'Result.Value.Kind in With_Argument
-              then Argument_Value (F.Data, 3, F.Length - 2)
-              else 0)
-        else
-           not Is_Framed (F)
-           or else (for all K in Command_Kind => not Is_Text_For (F, K)));
-   --  Decodes a command's frame, as the robot does; OK is False for all that
-   --  Encode never writes. For proofs and tests: the supervisor only writes
-   --  commands.
-
    function Is_Movement (C : Command) return Boolean is
      (C.Kind in With_Argument and then C /= Stop);
    --  The command moves the robot.
 
    procedure Encode (C : Command; F : out Frame)
    with
-     Post => Is_Framed (F)
-       and then F.Length <= 10
-       and then F.Data (1) = Character'Pos (Letter (C.Kind))
-       and then Decoded (F).OK
-       and then Decoded (F).Value.Kind = C.Kind
-       and then Decoded (F).Value.Value =
-                  (if C.Kind in With_Argument then C.Value else 0);
-   --  The frame of command C.
+     Post => F.Length <= 10
+       and then Is_Framed (F)
+       and then Is_Text_For (F, C.Kind)
+       and then
+         (if C.Kind in With_Argument then
+             Argument_Value (F.Data, 3, F.Length - 2) = C.Value);
+   --  The frame of C, and of no other command: their letters differ.
 
    --  Replies
 

@@ -1,7 +1,7 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
 
 with Ada.Real_Time; use Ada.Real_Time;
-with Error_Texts;
+with Process;
 with Robot.Serial_Line.Calls;
 with Schedule;
 with Terminal_Users;
@@ -45,7 +45,7 @@ is
       Owner : Texts.Text;
    begin
       if Error /= Calls.Busy and then Error /= Calls.No_Data then
-         Error_Texts.Describe (-Error, Reason);
+         Process.Describe (-Error, Reason);
          if Error = Calls.Not_Permitted then
             Texts.Append
               (Reason, ": your user must be in the group dialout");
@@ -98,7 +98,7 @@ is
          Calls.Set_Non_Blocking (Opened, Result);
       end if;
       if Result < 0 then
-         Error_Texts.Describe (-Result, Reason);
+         Process.Describe (-Result, Reason);
          Close (Ignored);
          return;
       end if;

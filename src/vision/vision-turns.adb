@@ -1,7 +1,7 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
 
+with Bounded_Queues;
 with Event;
-with Order_Queues;
 with Schedule; use Schedule;
 with Trace;
 
@@ -14,6 +14,8 @@ package body Vision.Turns with SPARK_Mode is
 
    function User_Of (Order : Orders.Order) return Task_Name is
      (Commands.Table (Order.Command.Name).By);
+
+   package Order_Queues is new Bounded_Queues (Orders.Order, Orders.Capacity);
 
    protected Line with Priority => Schedule.Turn_Ceiling is
       procedure Put (Order : Orders.Order; Next : out Orders.Order);

@@ -20,7 +20,6 @@ package body Robot_Targets is
       Ended  : Frame := F;
       Answer : Reply;
       Same   : Reply;
-      Told   : Reading;
    begin
       if F.Length < Max_Frame then
          Ended.Length := F.Length + 1;
@@ -39,11 +38,6 @@ package body Robot_Targets is
             Check (Same = Answer, "a terminator changes an answer");
          end if;
       end loop;
-      Told := Decoded (Ended);
-      if Told.OK then
-         Encode (Told.Value, Ended);
-         Check (Decoded (Ended) = Told, "a command is not read as written");
-      end if;
    end Read_Frame;
 
    procedure Frames (Data : Byte_Array) is

@@ -3,7 +3,7 @@
 
 with AUnit.Assertions; use AUnit.Assertions;
 
-with Robot.Reload_Times; use Robot.Reload_Times;
+with Robot.Line_Status; use Robot.Line_Status;
 with Robot_Core;
 with Robot_Motion;
 with Unit_Runs;          use Unit_Runs;

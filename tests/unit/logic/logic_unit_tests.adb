@@ -46,7 +46,7 @@ begin
    Group ("Monitor.Link", Monitor_Link_Tests'Access);
    Group ("Robot.Session", Robot_Session_Tests'Access);
    Group ("Monitor.Send_Order", Send_Order_Tests'Access);
-   Group ("Monitor.Tcp_Infos", Tcp_Infos_Tests'Access);
+   Group ("TCP_INFO", Tcp_Infos_Tests'Access);
    Group ("Texts", Texts_Tests'Access);
    Finish;
 end Logic_Unit_Tests;

@@ -51,12 +51,11 @@ procedure Robot_Protocol_Tests is
    end Answered;
 
    procedure Check_Command (C : Command; Text : String) is
-      --  C is framed as Text and read back.
+      --  C is framed as Text.
       F : Frame;
    begin
       Encode (C, F);
       Assert (F = Frame_Of (Text), "frame of " & Text);
-      Assert (Decoded (F) = (True, C), "read back " & Text);
    end Check_Command;
 
    procedure Test_Answers is
@@ -108,7 +107,6 @@ procedure Robot_Protocol_Tests is
 
       Encode ((Ping, 17), F);
       Assert (F = Frame_Of ("p"), "no value");
-      Assert (Decoded (F) = (True, (Ping, 0)), "none read back");
    end Test_Letters;
 
    procedure Test_Nul is

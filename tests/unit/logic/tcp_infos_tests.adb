@@ -5,7 +5,6 @@ with AUnit.Assertions;  use AUnit.Assertions;
 
 with Interfaces;        use Interfaces;
 with Monitor.Link;      use Monitor.Link;
-with Monitor.Tcp_Infos; use Monitor.Tcp_Infos;
 with Unit_Runs; use Unit_Runs;
 
 procedure Tcp_Infos_Tests is

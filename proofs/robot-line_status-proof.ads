@@ -1,7 +1,7 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
 --  The intervals are right whether a reload or its answer was lost.
 
-package Robot.Reload_Times.Proof with SPARK_Mode, Ghost is
+package Robot.Line_Status.Proof with SPARK_Mode, Ghost is
 
    --  What the robot does, in milliseconds
 
@@ -33,4 +33,4 @@ package Robot.Reload_Times.Proof with SPARK_Mode, Ghost is
    --  First: from an accepted reload. So one lost frame costs one miss at
    --  most, and two lost reloads in a row cost two of the three
 
-end Robot.Reload_Times.Proof;
+end Robot.Line_Status.Proof;

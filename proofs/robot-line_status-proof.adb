@@ -1,7 +1,7 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
 
-package body Robot.Reload_Times.Proof with SPARK_Mode is
+package body Robot.Line_Status.Proof with SPARK_Mode is
 
    procedure Prove_Windows (First : First_Tick) is null;
 
-end Robot.Reload_Times.Proof;
+end Robot.Line_Status.Proof;
