@@ -339,7 +339,6 @@ procedure Process_Tests is
       Descriptors : Natural := 0;
 
       procedure Visit (Number : Positive) is
-         Mark : constant Natural := R.Supervisor.Log_Length;
       begin
          Connect (R);
          Start_Robot (R, Watchdog => Number mod 2 = 0);
@@ -353,16 +352,10 @@ procedure Process_Tests is
             end loop;
          end if;
          R.Monitor.Expect ("RGFW", "AACK");
-         case Number mod 3 is
-            when 0 =>
-               R.Monitor.Close;
-            when 1 =>
-               R.Monitor.Reset;
-            when others =>
-               R.Monitor.Send ("RS");
-               R.Monitor.Close;
-         end case;
-         R.Supervisor.Expect_Log ("session closed", After => Mark);
+         Play (R, (case Number mod 3 is
+                      when 0      => "close, over",
+                      when 1      => "reset, over",
+                      when others => "part RS, close, over"));
       end Visit;
 
    begin

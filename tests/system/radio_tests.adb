@@ -7,7 +7,6 @@ with Ada.Strings.Unbounded; use Ada.Strings.Unbounded;
 with Dialogues;             use Dialogues;
 with Expectations;          use Expectations;
 with Instants;              use Instants;
-with Libc;
 with Monitor_Clients;       use Monitor_Clients;
 with Rigs;                  use Rigs;
 with Scenarios;             use Scenarios;
@@ -33,25 +32,6 @@ procedure Radio_Tests is
       end loop;
       Check (R.Emulator.Count_Of ("p") = 10, "not each ping once");
    end Packets_Take_Time;
-
-   procedure Stopped_At_The_End is
-      --  The stop is on its way when the line is closed
-      R      : Rig;
-      Before : Natural;
-   begin
-      Assemble (R, Emulator_Options => No_Retries);
-      for Attempt in 1 .. 3 loop
-         Move_Forward (R);
-         Before := R.Supervisor.Log_Length;
-         R.Monitor.Close;
-         Play (R, "seen M=0, status moving 0");
-         R.Supervisor.Expect_Log ("ready for a new monitor", After => Before);
-         Connect (R);
-      end loop;
-      Move_Forward (R);
-      R.Supervisor.Send_Signal (Libc.Sigterm);
-      Play (R, "seen M=0, status moving 0");
-   end Stopped_At_The_End;
 
    procedure Some_Lost is
       --  Commands and answers: each command is answered, and all works after
@@ -165,5 +145,12 @@ begin
       & " seen M=0, status moving 0, unsaid robot lost",
       Emulator_Options => No_Retries, Times => 3);
    Add ("F12_Radio_Packets_Take_Time", Packets_Take_Time'Access);
-   Add ("F05_Radio_Stopped_At_The_End", Stopped_At_The_End'Access);
+   Script ("F05_Radio_Stopped_At_The_End",
+           Forward & ", close, seen M=0, status moving 0,"
+           & " log ready for a new monitor, connect",
+           Emulator_Options => No_Retries, Times => 3);
+   Script ("F05_Radio_Stopped_By_Sigterm",
+           Forward & ", signal 15, seen M=0, status moving 0",
+           Emulator_Options => No_Retries);
+   --  The stop is on its way when the line is closed
 end Radio_Tests;
