@@ -88,21 +88,6 @@ procedure Answer_Faults_Tests is
       Ask (None);
    end Test_Corrupt;
 
-   procedure Test_Cut is
-   begin
-      P := (Truncate => 3, Keep => 1, others => <>);
-      Expect_Cut (1);
-      P.Keep := 4;
-      Expect_Cut (4);
-      Expect_Cut (2, Ack);  --  never the whole answer
-   end Test_Cut;
-
-   procedure Test_Drop is
-   begin
-      P := (Drop => 3, others => <>);
-      Ask_Each ((Dropped, Dropped, Dropped, None), "the next 3");
-   end Test_Drop;
-
    procedure Test_Endless is
       Byte  : Octet;
       Count : Natural := 0;
@@ -198,43 +183,33 @@ procedure Answer_Faults_Tests is
       end loop;
    end Test_Lost_Command;
 
-   procedure Test_No_Answer is
+   procedure Test_One_By_One is
    begin
+      P := (others => <>);
+      Ask (None);
+      P := (Silent => True, Drop => 1, others => <>);
+      Ask_Each ((1 .. 10 => Silent), "silence");
+      Assert (P.Drop = 1, "silence uses up nothing");
+      P := (Drop => 3, others => <>);
+      Ask_Each ((Dropped, Dropped, Dropped, None), "the next 3");
+      P := (Truncate => 1, others => <>);
+      Expect_Cut (2, Ack);
+      Ask (None);
+      P := (Truncate => 3, Keep => 1, others => <>);
+      Expect_Cut (1);
+      P.Keep := 4;
+      Expect_Cut (4);
+      Expect_Cut (2, Ack);  --  never the whole answer
+
+      --  Several at once; what is no answer uses up none
+
       P := (Drop => 1, Garbage => 1, Truncate => 1, Corrupt => 1,
             others => <>);
       for K in 1 .. 5 loop
          Ask (None, "what is no answer", Nothing);
       end loop;
-      Assert (P.Drop = 1 and then P.Garbage = 1 and then P.Truncate = 1
-              and then P.Corrupt = 1, "used up");
-   end Test_No_Answer;
-
-   procedure Test_None is
-   begin
-      P := (others => <>);
-      Ask (None);
-   end Test_None;
-
-   procedure Test_Order is
-   begin
-      P := (Drop => 1, Garbage => 1, Truncate => 1, Corrupt => 1,
-            others => <>);
       Ask_Each ((Dropped, Garbage, Truncated, Corrupt, None), "in order");
-   end Test_Order;
-
-   procedure Test_Silent is
-   begin
-      P := (Silent => True, Drop => 1, others => <>);
-      Ask_Each ((1 .. 10 => Silent), "silence");
-      Assert (P.Drop = 1, "silence uses up nothing");
-   end Test_Silent;
-
-   procedure Test_Truncate is
-   begin
-      P := (Truncate => 1, others => <>);
-      Expect_Cut (2, Ack);
-      Ask (None);
-   end Test_Truncate;
+   end Test_One_By_One;
 
    procedure Test_Pile is
    begin
@@ -297,20 +272,14 @@ procedure Answer_Faults_Tests is
    end Test_Wrong_Kind;
 
 begin
-   Run_Test ("none", Test_None'Access);
-   Run_Test ("silent", Test_Silent'Access);
-   Run_Test ("drop", Test_Drop'Access);
    Run_Test ("drop every", Test_Every'Access);
    Run_Test ("lost commands", Test_Lost_Command'Access);
    Run_Test ("corrupt", Test_Corrupt'Access);
-   Run_Test ("truncate", Test_Truncate'Access);
+   Run_Test ("silent, dropped, cut, several", Test_One_By_One'Access);
    Run_Test ("garbage", Test_Garbage'Access);
-   Run_Test ("cut anywhere", Test_Cut'Access);
    Run_Test ("every bit flipped", Test_Flip'Access);
    Run_Test ("wrong kind", Test_Wrong_Kind'Access);
    Run_Test ("piled up", Test_Pile'Access);
    Run_Test ("a pile too high", Test_Pile_Is_Full'Access);
    Run_Test ("endless", Test_Endless'Access);
-   Run_Test ("several at once", Test_Order'Access);
-   Run_Test ("no answer", Test_No_Answer'Access);
 end Answer_Faults_Tests;

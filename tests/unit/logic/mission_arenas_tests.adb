@@ -157,32 +157,6 @@ procedure Mission_Arenas_Tests is
       Check_Corners (Usual, (80, 60));
       Check_Corners (Rectangle (0.0, 0.0, 4_095.0, 4_095.0), (1_000, 1_000));
       Check_Corners (Rectangle (-0.5, -0.5, 4_095.4, 4_095.4), (1_000, 30));
-      declare
-         M                     : Map;
-         Usable, Known         : Boolean;
-         Where                 : Place;
-         A : constant Vision.Shapes.Point := Usual (Top_Left);
-         B : constant Vision.Shapes.Point := Usual (Top_Right);
-         C : constant Vision.Shapes.Point := Usual (Bottom_Right);
-         D : constant Vision.Shapes.Point := Usual (Bottom_Left);
-         Ax : constant Real := Real (A.X) / 1.0E6;
-         Ay : constant Real := Real (A.Y) / 1.0E6;
-         Bx : constant Real := Real (B.X) / 1.0E6;
-         By : constant Real := Real (B.Y) / 1.0E6;
-         Cx : constant Real := Real (C.X) / 1.0E6 - Ax;
-         Cy : constant Real := Real (C.Y) / 1.0E6 - Ay;
-         Dx : constant Real := Real (D.X) / 1.0E6 - Bx;
-         Dy : constant Real := Real (D.Y) / 1.0E6 - By;
-         K  : constant Real :=
-           ((Bx - Ax) * Dy - (By - Ay) * Dx) / (Cx * Dy - Cy * Dx);
-      begin
-         Make (Usual, (80, 60), M, Usable);
-         Locate (M, Pixels (Ax + K * Cx, Ay + K * Cy), Where, Known);
-         Assert (Usable and then Known
-                 and then abs (Where.X - 400_000) < 150
-                 and then abs (Where.Y - 300_000) < 150,
-                 "where the diagonals meet");
-      end;
    end Test_Corners;
 
    --  X_Part and Y_Part of an arena turned by half are what is left of the

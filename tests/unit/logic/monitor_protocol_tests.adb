@@ -84,11 +84,6 @@ procedure Monitor_Protocol_Tests is
               "behind " & Expected);
    end Check_Line;
 
-   procedure Check_Malformed (Line : String) is
-   begin
-      Assert (Parsed (Line) = (Malformed, 0), "malformed: " & Line);
-   end Check_Malformed;
-
    procedure Check_Position (P : Position) is
       --  Formatted as expected, and read back.
       Text : constant String := Formatted (P);
@@ -293,7 +288,7 @@ procedure Monitor_Protocol_Tests is
          & "|RTRN=12|RTRN::12|RTRN:1e3|MSSG|MSSG hello|MGTO|MGTO:1;2;3"
          & "|MGTO:1;2;3;4")
       loop
-         Check_Malformed (Line);
+         Assert (Parsed (Line) = (Malformed, 0), "malformed: " & Line);
       end loop;
       Assert (Parsed ("ROPN:") = (Open_Robot, 0),
               "the existing monitor writes the separator nevertheless");
@@ -319,14 +314,6 @@ procedure Monitor_Protocol_Tests is
       end loop;
    end Test_Missions;
 
-   procedure Test_Not_Found is
-   begin
-      Assert (Formatted (Not_Found) =
-              "CPOS:-1;0.000000;-1.000000;-1.000000;0.000000;0.000000",
-              "identifier -1, centre (-1, -1)");
-      Check_Position (Not_Found);
-   end Test_Not_Found;
-
    procedure Test_Numbers is
 
       procedure Check (Data : String; Value : Integer) is
@@ -337,25 +324,17 @@ procedure Monitor_Protocol_Tests is
       end Check;
 
    begin
-      Check ("0", 0);
-      Check ("-0", 0);
-      Check ("+0", 0);
-      Check ("7", 7);
-      Check ("+7", 7);
-      Check ("-7", -7);
-      Check ("007", 7);
-      Check ("-007", -7);
-      Check ("32767", 32_767);
-      Check ("32768", 32_767);
-      Check ("-32768", -32_768);
+      for Number of Split ("0|-0|+0|7|+7|-7|007|-007|32767|-32768") loop
+         Check (Number, Integer'Value (Number));
+      end loop;
+      for Number of Split
+        ("32768|99999999|100000000|2147483648|4294967297"
+         & "|18446744073709551617")
+      loop
+         Check (Number, 32_767);
+         Check ("-" & Number & "1", -32_768);
+      end loop;
       Check ("-32769", -32_768);
-      Check ("99999999", 32_767);
-      Check ("100000000", 32_767);
-      Check ("-100000000", -32_768);
-      Check ("2147483648", 32_767);
-      Check ("4294967297", 32_767);
-      Check ("-4294967297", -32_768);
-      Check ("18446744073709551617", 32_767);
       Check ((1 .. 1019 => '9'), 32_767);
       Check ("-" & (1 .. 1018 => '9'), -32_768);
       Check ((1 .. 1018 => '0') & "5", 5);
@@ -369,6 +348,10 @@ procedure Monitor_Protocol_Tests is
          180_000_000, -179_999_999, Micro'First, Micro'Last,
          Micro'Last - 1);
    begin
+      Assert (Formatted (Not_Found) =
+              "CPOS:-1;0.000000;-1.000000;-1.000000;0.000000;0.000000",
+              "identifier -1, centre (-1, -1)");
+      Check_Position (Not_Found);
       Assert (Formatted ((7, 90_000_000, 320_500_000, 240_250_001,
                           320_000_000, -400_000))
               = "CPOS:7;90.000000;320.500000;240.250001;320.000000"
@@ -539,7 +522,6 @@ begin
    Run_Test ("ends of lines", Test_Line_Ends'Access);
    Run_Test ("telnet's commands", Test_Telnet'Access);
    Run_Test ("answers", Test_Answers'Access);
-   Run_Test ("F18: not found", Test_Not_Found'Access);
    Run_Test ("F18: positions", Test_Positions'Access);
    Run_Test ("F17: the ground of the arena", Test_Ground'Access);
    Run_Test ("F18: random positions", Test_Random_Positions'Access);

@@ -67,17 +67,21 @@ procedure Robot_Protocol_Tests is
                    = (if Class_Of (K) = Acknowledge then (Done, 0)
                       else (Wrong_Kind, 0)), "O");
       end loop;
-      Assert (Answered ("0", Battery) = (Level, 0), "empty");
-      Assert (Answered ("1", Battery) = (Level, 1), "low");
-      Assert (Answered ("2", Battery) = (Level, 2), "full");
-      Assert (Answered ("3", Battery) = (Wrong_Kind, 0), "no such level");
-      Assert (Answered ("0", Busy) = (Moving_State, 0), "standing");
-      Assert (Answered ("1", Busy) = (Moving_State, 1), "moving");
-      Assert (Answered ("2", Busy) = (Wrong_Kind, 0), "no such state");
-      Assert (Answered ("3.5", Version) = (Version_Text, 0), "version");
-      Assert (Answered ("3.5", Battery) = (Wrong_Kind, 0), "no level");
-      Assert (Answered ("0", Version) = (Wrong_Kind, 0), "no version");
-      Assert (Answered ("0", Ping) = (Wrong_Kind, 0), "no answer to ping");
+      for Row of Split
+        ("0 Battery Level 0|1 Battery Level 1|2 Battery Level 2"
+         & "|3 Battery Wrong_Kind 0|0 Busy Moving_State 0"
+         & "|1 Busy Moving_State 1|2 Busy Wrong_Kind 0"
+         & "|3.5 Version Version_Text 0|3.5 Battery Wrong_Kind 0"
+         & "|0 Version Wrong_Kind 0|0 Ping Wrong_Kind 0")
+      loop
+         declare
+            Word : constant Line_Vectors.Vector := Split (Row, ' ');
+         begin
+            Assert (Answered (Word (1), Command_Kind'Value (Word (2)))
+                    = (Reply_Kind'Value (Word (3)), Natural'Value (Word (4))),
+                    Row);
+         end;
+      end loop;
    end Test_Answers;
 
    procedure Test_Directions is
@@ -92,16 +96,14 @@ procedure Robot_Protocol_Tests is
    procedure Test_Letters is
       F : Frame;
    begin
-      Check_Command ((Ping, 0), "p");
-      Check_Command ((Reset, 0), "r");
-      Check_Command ((Start, 0), "u");
-      Check_Command ((Start_Watchdog, 0), "W");
-      Check_Command ((Reload, 0), "w");
-      Check_Command ((Battery, 0), "v");
-      Check_Command ((Busy, 0), "b");
-      Check_Command ((Version, 0), "V");
-      Check_Command ((Power_Off, 0), "z");
-      Check_Command ((Unknown_Letter, 0), "?");
+      for Row of Split
+        ("p Ping|r Reset|u Start|W Start_Watchdog|w Reload|v Battery|b Busy"
+         & "|V Version|z Power_Off|? Unknown_Letter")
+      loop
+         Check_Command
+           ((Command_Kind'Value (Row (Row'First + 2 .. Row'Last)), 0),
+            Row (Row'First .. Row'First));
+      end loop;
 
       --  A value that the command does not take is not sent
 
@@ -146,20 +148,15 @@ procedure Robot_Protocol_Tests is
       Long : String (1 .. 48) := (others => '1');
    begin
       Long (2) := '.';
-      Assert (Answered ("3.5", Version) = (Version_Text, 0), "3.5");
-      Assert (Answered ("12.34b", Version) = (Version_Text, 0), "12.34b");
-      Assert (Answered ("1.", Version) = (Version_Text, 0), "1.");
-      Assert (Answered (Long, Version) = (Version_Text, 0), "long");
-      Assert (Answered (".5", Version) = (Wrong_Kind, 0), "no digit");
-      Assert (Answered ("v3.5", Version) = (Wrong_Kind, 0), "letter");
-      Assert (Answered ("3." & ASCII.LF, Version) = (Wrong_Kind, 0),
-              "not printable");
+      for Text of Split ("3.5|12.34b|1.|" & Long) loop
+         Assert (Answered (Text, Version) = (Version_Text, 0), Text);
+      end loop;
 
-      --  Answers of other classes that have run together
+      --  Answers of other classes that have run together, too
 
-      Assert (Answered ("222", Version) = (Wrong_Kind, 0), "digits");
-      Assert (Answered ("OOO", Version) = (Wrong_Kind, 0), "letters");
-
+      for Text of Split (".5|v3.5|3." & ASCII.LF & "|222|OOO") loop
+         Assert (Answered (Text, Version) = (Wrong_Kind, 0), Text);
+      end loop;
       for K in Command_Kind loop
          if K /= Version then
             Assert (Answered ("3.5", K) = (Wrong_Kind, 0), K'Image);

@@ -68,7 +68,7 @@ procedure Response_Times_Tests is
       end loop;
    end Check_Line;
 
-   procedure Test_Liu_Layland is
+   procedure Test_Published is
    begin
       --  C. L. Liu, J. W. Layland, Scheduling Algorithms for Multi-
       --  programming in a Hard-Real-Time Environment, JACM 20 (1973),
@@ -81,10 +81,7 @@ procedure Response_Times_Tests is
       --  the other way round neither can be raised: here C2 = 2
       Check ((Item (1, 2, 1), Item (2, 5, 1)), (2, 1));
       Check ((Item (1, 2, 1), Item (2, 5, 2)), (3, 2));
-   end Test_Liu_Layland;
 
-   procedure Test_Burns_Wellings is
-   begin
       --  A. Burns, A. Wellings, Real-Time Systems and Programming Languages,
       --  the chapter on scheduling: of the utilisation-based test, set A
       --  fails it at 0.82, and task a misses its deadline of 50; B passes at
@@ -96,27 +93,18 @@ procedure Response_Times_Tests is
       Check ((Item (1, 80, 40), Item (2, 40, 10), Item (3, 20, 5)),
              (80, 15, 5));
       Check ((Item (3, 7, 3), Item (2, 12, 3), Item (1, 20, 5)), (3, 6, 20));
-   end Test_Burns_Wellings;
 
-   procedure Test_Sha_Goodenough is
-   begin
       --  L. Sha, J. B. Goodenough, Real-Time Scheduling Theory and Ada,
       --  IEEE Computer 23 (1990): with C1 = 40 beyond the bound for three
       --  tasks, but the third ends at 300, before its period of 350
       Check ((Item (3, 100, 40), Item (2, 150, 40), Item (1, 350, 100)),
              (40, 80, 300));
-   end Test_Sha_Goodenough;
 
-   procedure Test_Lehoczky is
-   begin
       --  J. P. Lehoczky, Fixed Priority Scheduling of Periodic Task Sets
       --  with Arbitrary Deadlines, RTSS 1990: the releases of task 2 take
       --  114, 102, 116, 104, 118, 106, 94; not the first is the worst
       Check ((Item (2, 70, 26), Item (1, 100, 62)), (26, 118));
-   end Test_Lehoczky;
 
-   procedure Test_CAN is
-   begin
       --  R. I. Davis, A. Burns, R. J. Bril, J. J. Lukkien, Controller Area
       --  Network (CAN) schedulability analysis: refuted, revisited and
       --  revised, Real-Time Systems 35 (2007): three messages of 1 ms. The
@@ -125,7 +113,7 @@ procedure Response_Times_Tests is
       Check_Line ((Item (3, 2_500, 1_000), Item (2, 3_500, 1_000),
                    Item (1, 3_500, 1_000)),
                   (2_000, 3_000, 3_500));
-   end Test_CAN;
+   end Test_Published;
 
    procedure Test_Ceilings is
       --  Burns and Wellings, the exercise on the priority ceiling protocol:
@@ -186,23 +174,25 @@ procedure Response_Times_Tests is
    end Test_Jitter;
 
    procedure Test_Blocking is
-      Set : Activity_Array :=
+      Set   : Activity_Array :=
         (Item (3, 7, 3), Item (2, 12, 3), Item (1, 20, 5));
+      First : Activity := Item (2, 10, 4);
    begin
+      --  the first on another processor
+      Set (1).Processor := 2;
+      Check (Set, (3, 3, 8));
+      Set (1).Processor := 1;
+
       --  set D of Burns and Wellings with sections of 2 below: 3 + 2, and
       --  3 + 2 + 2 x 3, for the window goes beyond 7
       Set (1).Blocking := 2;
       Set (2).Blocking := 2;
       Check (Set, (5, 11, 20));
-   end Test_Blocking;
 
-   procedure Test_Processors is
-      Set : Activity_Array :=
-        (Item (3, 7, 3), Item (2, 12, 3), Item (1, 20, 5));
-   begin
-      Set (1).Processor := 2;
-      Check (Set, (3, 3, 8));
-   end Test_Processors;
+      --  by hand: 3 of the release before and a whole one, then 3
+      First.Tail := 3;
+      Check ((First, Item (1, 50, 3)), (4, 10));
+   end Test_Blocking;
 
    procedure Test_Dynamic_Suspension is
    begin
@@ -248,14 +238,6 @@ procedure Response_Times_Tests is
       Assert (Result.Local = 19, Result.Local'Image);
    end Test_Own_Suspension;
 
-   procedure Test_Tail is
-      First : Activity := Item (2, 10, 4);
-   begin
-      --  by hand: 3 of the release before and a whole one, then 3
-      First.Tail := 3;
-      Check ((First, Item (1, 50, 3)), (4, 10));
-   end Test_Tail;
-
    procedure Test_Overload is
       Result : Bound;
    begin
@@ -279,23 +261,17 @@ procedure Response_Times_Tests is
    end Test_No_Jitter_Known;
 
 begin
-   Run_Test ("Liu and Layland 1973", Test_Liu_Layland'Access);
-   Run_Test ("Burns and Wellings, sets A to D", Test_Burns_Wellings'Access);
-   Run_Test ("Sha and Goodenough 1990", Test_Sha_Goodenough'Access);
-   Run_Test ("Lehoczky 1990", Test_Lehoczky'Access);
-   Run_Test ("Davis and others 2007", Test_CAN'Access);
+   Run_Test ("published examples", Test_Published'Access);
    Run_Test ("Burns and Wellings, ceilings", Test_Ceilings'Access);
    Run_Test ("Buttazzo, ceilings", Test_Ceiling_Table'Access);
    Run_Test ("release jitter", Test_Jitter'Access);
-   Run_Test ("blocking", Test_Blocking'Access);
-   Run_Test ("two processors", Test_Processors'Access);
+   Run_Test ("blocking, two processors, a tail", Test_Blocking'Access);
    Run_Test ("Chen, Nelissen and Huang 2016, suspensions",
              Test_Dynamic_Suspension'Access);
    Run_Test ("Chen and others 2019, suspensions are no jitter",
              Test_Suspension_As_Jitter'Access);
    Run_Test ("each release of the busy period sleeps",
              Test_Own_Suspension'Access);
-   Run_Test ("what is left of the release before", Test_Tail'Access);
    Run_Test ("overload has no bound", Test_Overload'Access);
    Run_Test ("nor has what waits for something without one",
              Test_No_Jitter_Known'Access);

@@ -114,8 +114,7 @@ procedure Frame_Store_Tests is
       Found : Boolean;
    begin
       Begin_Anew;
-      Vision.Frame_Store.Store.Claim_Empty (Slot);
-      Vision.Frame_Store.Publish (Slot, Clock);
+      Put (Clock, Slot);
       Vision.Frame_Store.End_Delivery;
       Check_None;
       Vision.Frame_Store.Wait_Newest (Slot, Found);
@@ -123,16 +122,14 @@ procedure Frame_Store_Tests is
 
       --  an image that the owner was just taking is too late
 
-      Vision.Frame_Store.Store.Claim_Empty (Slot);
-      Vision.Frame_Store.Publish (Slot, Clock);
+      Put (Clock, Slot);
       Check_None;
 
       --  and a camera that is opened again begins with nothing
 
       Vision.Frame_Store.Store.Begin_Delivery (Clock);
       Check_None;
-      Vision.Frame_Store.Store.Claim_Empty (Slot);
-      Vision.Frame_Store.Publish (Slot, Clock);
+      Put (Clock, Slot);
       Vision.Frame_Store.Wait_Newest (Slot, Found);
       Assert (Found, "the first image of the new delivery");
       Vision.Frame_Store.Store.Release (Slot);
@@ -151,8 +148,7 @@ procedure Frame_Store_Tests is
       Vision.Frame_Store.Store.Claim_Empty (Held);
       Last := Held;
       for Image in 1 .. 3 * Vision.Frame_Slots.Slot'Range_Length loop
-         Vision.Frame_Store.Store.Claim_Empty (Slot);
-         Vision.Frame_Store.Publish (Slot, Clock);
+         Put (Clock, Slot);
          Last := Next (Last);
          if Last = Held then
             Last := Next (Last);
@@ -283,12 +279,10 @@ procedure Frame_Store_Tests is
       Begin_Anew;
       Vision.Frame_Store.Store.Begin_Delivery (Begun);
       Check (Begun, "the beginning");
-      Vision.Frame_Store.Store.Claim_Empty (Slot);
-      Vision.Frame_Store.Publish (Slot, Later);
+      Put (Later, Slot);
       Check (Later, "the image");
       Vision.Frame_Store.End_Delivery;
-      Vision.Frame_Store.Store.Claim_Empty (Slot);
-      Vision.Frame_Store.Publish (Slot, Later + Milliseconds (40));
+      Put (Later + Milliseconds (40), Slot);
       Check (Later, "none that is too late");
    end Test_Times;
 
