@@ -10,7 +10,7 @@ with Instants; use Instants;
 
 package Both_Ends is
 
-   type Place is (Ours, Floor, Tick_1, Tick_2, Tick_3);
+   type Place is (Ours, Traced, Floor);
    --  The program between the ends
 
    procedure Open_Line (Where : Place);

@@ -14,8 +14,7 @@ package body Forwarders is
 
    procedure Start
      (Process : in out Child;
-      Where   : Place;
-      Relay   : Boolean := False)
+      Where   : Place)
    is
       Number : Natural;
       Line   : Unbounded_String;
@@ -23,7 +22,7 @@ package body Forwarders is
       Process.Start
         (Programs.Beside ("forwarder"),
          Words
-           ((if Relay then "relay " else "forward ") & Device (Where)
+           ("forward " & Device (Where)
             --  Linux counts priorities from 1
             & Integer'Image
                 (if Own_Process.Real_Time_Allowed

@@ -9,10 +9,8 @@ package Forwarders is
 
    procedure Start
      (Process : in out Child_Processes.Child;
-      Where   : Both_Ends.Place;
-      Relay   : Boolean := False);
+      Where   : Both_Ends.Place);
    --  At that place, whose line is open, and connects its other end. At the
-   --  priority of the supervisor's task that writes to the line. Relay: with
-   --  three threads that wake each other
+   --  priority of the supervisor's task that writes to the line
 
 end Forwarders;

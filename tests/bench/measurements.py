@@ -49,18 +49,14 @@ ORDERS = ("orders", "answers")
 MEDIANS = ("median_ratio", "median", "floor_median")
 P999 = ("p999_ratio", "p999", "floor_p999")
 PLAIN = r"(order|answer), (?!.*(relay|--trace|default gap)).*"
-RELAY = ".*, to the relay"
 FEATURE = r"F\d+ .*"
 
 TABLES = {
     "ratios": Table(ORDERS, ("median_ratio", "p99_ratio"), PLAIN),
     "times": Table(ORDERS, ("median", "floor_median", "p99", "floor_p99"), PLAIN),
-    "relay": Table(ORDERS, ("median_ratio",), RELAY),
     "silent": Table(ORDERS, ("p999", "max", "value"), ".*stop.*|.*default gap"),
     "user": Table(ORDERS, ("median_ratio", "p99_ratio", "p99"), PLAIN, kind="user"),
-    "user-relay": Table(ORDERS, ("median_ratio",), RELAY, kind="user"),
     "periods": Table(("periods",), (*P999, *MEDIANS), ".*, to cyclictest"),
-    "line": Table(("periods",), ("p999_ratio", "floor_p999"), ".*with a line"),
     "start": Table(
         ("start",),
         (*MEDIANS, "max", "value"),

@@ -33,21 +33,10 @@ package body Order_Times is
    --  The robot's answer is waited for 80 ms from the end of the command,
    --  whose three bytes would take so long at 9600 baud
 
-   type Passage is (Ours, Traced, Floor, Relay);
-   --  Traced: another supervisor, with --trace. Relay: a forwarder of three
-   --  threads that wake each other, as the supervisor's tasks do on the way
-   --  of an order, and of an answer
+   subtype Supervisor_Place is Place range Ours .. Traced;
+   --  Traced: another supervisor, with --trace
 
-   subtype Supervisor_Passage is Passage range Ours .. Traced;
-   subtype Bare_Passage is Passage range Floor .. Relay;
-
-   Place_Of : constant array (Passage) of Place :=
-     (Ours   => Both_Ends.Ours,
-      Traced => Both_Ends.Tick_2,
-      Floor  => Both_Ends.Floor,
-      Relay  => Both_Ends.Tick_1);
-
-   type Distribution is array (Passage) of Samples.Set;
+   type Distribution is array (Place) of Samples.Set;
 
    type Condition is
      (Idle, Beside_Traced, Loaded, Service, Loaded_Service, With_Gap);
@@ -69,20 +58,19 @@ package body Order_Times is
      (Under not in Service | Loaded_Service
       or else (Libc.Geteuid = 0 and then Own_Process.Real_Time_Allowed));
 
-   function Is_Taken (Through : Passage; Under : Condition) return Boolean is
+   function Is_Taken (Through : Place; Under : Condition) return Boolean is
      (Through = Ours or else (Through = Traced) = (Under = Beside_Traced));
 
-   procedure One (Through : Passage; Result : out Exchange) is
+   procedure One (Through : Place; Result : out Exchange) is
       --  a different one each time
       Value : constant String := Image (1 + Amount mod 9_000);
    begin
       Amount := Amount + 1;
       Serve (0.001 + 0.002 * Duration (Random (Source)));
       Both_Ends.Measure
-        (Place_Of (Through),
-         (case Through is
-             when Supervisor_Passage => "RMOV:" & Value & ASCII.LF,
-             when Bare_Passage       => Framed ("M=" & Value)),
+        (Through,
+         (if Through = Floor then Framed ("M=" & Value)
+          else "RMOV:" & Value & ASCII.LF),
          "M=" & Value, Result);
    end One;
 
@@ -96,15 +84,15 @@ package body Order_Times is
       return (if Events.Is_Empty then " nothing" else To_String (Result));
    end Said;
 
-   procedure Recover (Which : Passage) is
+   procedure Recover (Which : Place) is
       --  From a robot that counts as lost: the machine was busy elsewhere
    begin
       --  what is late comes meanwhile
       Serve (0.2);
-      if Which in Supervisor_Passage then
-         Forget (Place_Of (Which));
-         Send (Place_Of (Which), "ROPN" & ASCII.LF & "RSOW" & ASCII.LF);
-         Await_Message (Place_Of (Which), "AACK ACRJ ATIM ANAK", Count => 2);
+      if Which in Supervisor_Place then
+         Forget (Which);
+         Send (Which, "ROPN" & ASCII.LF & "RSOW" & ASCII.LF);
+         Await_Message (Which, "AACK ACRJ ATIM ANAK", Count => 2);
       end if;
    end Recover;
 
@@ -119,19 +107,19 @@ package body Order_Times is
       begin
          --  in step, whatever was before
          Serve (0.01);
-         Forget (Both_Ends.Ours);
-         Send (Both_Ends.Ours, "RPIN" & ASCII.LF);
-         Await_Message (Both_Ends.Ours, "AACK ATIM ANAK");
-         Forget (Both_Ends.Ours);
-         Set_Unanswered (Both_Ends.Ours, "b");
-         Send (Both_Ends.Ours, "RGST" & ASCII.LF);
-         Await_Frame (Both_Ends.Ours, "b", Unused);
+         Forget (Ours);
+         Send (Ours, "RPIN" & ASCII.LF);
+         Await_Message (Ours, "AACK ATIM ANAK");
+         Forget (Ours);
+         Set_Unanswered (Ours, "b");
+         Send (Ours, "RGST" & ASCII.LF);
+         Await_Frame (Ours, "b", Unused);
          Serve (0.002 + 0.07 * Duration (Random (Source)));
          Begun := Now;
-         Send (Both_Ends.Ours, "RSTP" & ASCII.LF);
-         Await_Frame (Both_Ends.Ours, "M=0", Time);
+         Send (Ours, "RSTP" & ASCII.LF);
+         Await_Frame (Ours, "M=0", Time);
          Stops.Add (Time - Begun);
-         Await_Message (Both_Ends.Ours, "ATIM AACK", Count => 2);
+         Await_Message (Ours, "ATIM AACK", Count => 2);
       end Stop_One;
 
    begin
@@ -153,8 +141,8 @@ package body Order_Times is
    procedure Measure (Under : Condition) is
       --  Loaded: images with positions, two busy loops. With_Gap: images
       --  alone, and the default gap between messages. Otherwise no camera
-      Bare        : array (Bare_Passage) of Child;
-      Driving     : array (Supervisor_Passage) of Supervisors.Supervisor;
+      Bare        : Child;
+      Driving     : array (Supervisor_Place) of Supervisors.Supervisor;
       Camera      : Emulators.Emulator;
       Load        : Busy_Loops.Load;
       Result      : Exchange;
@@ -162,7 +150,7 @@ package body Order_Times is
       With_Load   : constant Boolean := Under in Loaded | Loaded_Service;
       With_Camera : constant Boolean := With_Load or else Under = With_Gap;
 
-      procedure Measure_Block (Which : Passage) is
+      procedure Measure_Block (Which : Place) is
       begin
          for Count in 1 .. Block loop
             for Attempt in 1 .. Attempts loop
@@ -171,9 +159,9 @@ package body Order_Times is
                Left_Out := Left_Out + 1;
                Check (Attempt < Attempts,
                       "no exchange succeeds any more: " & Which'Image
-                      & ", on the line" & Said (Frames (Place_Of (Which)))
+                      & ", on the line" & Said (Frames (Which))
                       & ", to the monitor"
-                      & Said (Messages (Place_Of (Which))));
+                      & Said (Messages (Which)));
                Recover (Which);
             end loop;
             Orders (Under) (Which).Add (Result.Order);
@@ -182,25 +170,21 @@ package body Order_Times is
       end Measure_Block;
 
    begin
-      for Which in Passage loop
+      for Which in Place loop
          if Is_Taken (Which, Under) then
-            Open_Line (Place_Of (Which));
+            Open_Line (Which);
          end if;
       end loop;
-      for Which in Bare_Passage loop
-         if Is_Taken (Which, Under) then
-            Forwarders.Start
-              (Bare (Which), Place_Of (Which), Relay => Which = Relay);
-         end if;
-      end loop;
-
+      if Is_Taken (Floor, Under) then
+         Forwarders.Start (Bare, Floor);
+      end if;
       if With_Camera then
          Camera.Start (Camera => True);
       end if;
-      for Which in Supervisor_Passage loop
+      for Which in Supervisor_Place loop
          if Is_Taken (Which, Under) then
             Driving (Which).Start
-              ("--serial " & Device (Place_Of (Which))
+              ("--serial " & Device (Which)
                & (if Under = With_Gap then "" else " --message-gap 0")
                & (if With_Camera then " --camera " & Camera.Camera_Url
                   else "")
@@ -216,22 +200,22 @@ package body Order_Times is
                  (if Under in Service | Loaded_Service
                   then Programs.Copied_Supervisor
                   else ""));
-            Connect (Place_Of (Which), Driving (Which).Port, By_Lines => True);
+            Connect (Which, Driving (Which).Port, By_Lines => True);
          end if;
       end loop;
       Own_Process.Prefer_Real_Time (True);
-      for Which in Supervisor_Passage loop
+      for Which in Supervisor_Place loop
          if Is_Taken (Which, Under) then
-            Send (Place_Of (Which), "ROPN" & ASCII.LF & "RSOW" & ASCII.LF);
-            Await_Message (Place_Of (Which), "AACK", Count => 2);
+            Send (Which, "ROPN" & ASCII.LF & "RSOW" & ASCII.LF);
+            Await_Message (Which, "AACK", Count => 2);
          end if;
       end loop;
       if With_Camera then
-         Forget (Both_Ends.Ours);
-         Send (Both_Ends.Ours,
+         Forget (Ours);
+         Send (Ours,
                "COPN" & ASCII.LF
                & (if With_Load then "CPCO" & ASCII.LF else ""));
-         Await_Message (Both_Ends.Ours, "CIMG", Count => 10);
+         Await_Message (Ours, "CIMG", Count => 10);
       end if;
       Own_Process.Prefer_Real_Time (False);
       if With_Load then
@@ -241,7 +225,7 @@ package body Order_Times is
       Serve (0.5);
 
       while Orders (Under) (Ours).Count < Bench_Settings.Sample_Count loop
-         for Which in Passage loop
+         for Which in Place loop
             if Is_Taken (Which, Under) then
                Measure_Block (Which);
             end if;
@@ -278,8 +262,6 @@ package body Order_Times is
             Reports.Compare
               (Name & ", " & Title, Both (Ours), Both (Floor),
                ((Median_Ratio, 1.5, False), (P99_Ratio, 2.0, False)));
-            Reports.Compare (Name & ", " & Title & ", to the relay",
-                             Both (Ours), Both (Relay));
          end if;
       end Compare_One;
 

@@ -1,6 +1,5 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  The jitter of the periodic tasks, compared with cyclictest and a minimal
---  program that writes to its own line.
+--  The jitter of the periodic tasks, compared with cyclictest.
 
 with Ada.Characters.Handling; use Ada.Characters.Handling;
 with Ada.Real_Time;         use Ada.Real_Time;
@@ -17,7 +16,6 @@ with Expectations;          use Expectations;
 with Instants;              use Instants;
 with Own_Process;
 with Plain_Numbers;         use Plain_Numbers;
-with Programs;
 with Reports;
 with Samples;
 with Schedule;
@@ -40,10 +38,6 @@ procedure Report_Period_Times is
      (Battery => Schedule.Battery_Priority,
       Reload  => Schedule.Reload_Priority,
       Image   => Schedule.Capture_Priority);
-
-   Line_Of : constant array (Battery .. Reload) of Place :=
-     (Battery => Tick_1, Reload => Tick_2);
-   --  of the bare programs
 
    function Linux_Priority (Of_Subject : Subject) return Natural is
      (if Own_Process.Real_Time_Allowed
@@ -99,7 +93,6 @@ procedure Report_Period_Times is
 
    Camera     : Emulators.Emulator;
    Supervisor : Supervisors.Supervisor;
-   Tickers    : array (Line_Of'Range) of Child;
    Cyclic     : array (Subject) of Child;
    Program    : GNAT.OS_Lib.String_Access :=
      GNAT.OS_Lib.Locate_Exec_On_Path ("cyclictest");
@@ -136,15 +129,6 @@ begin
    Forget (Both_Ends.Ours);
    Send (Both_Ends.Ours, "COPN" & ASCII.LF);
    Await_Message (Both_Ends.Ours, "CIMG", Count => 5);
-   for Which in Tickers'Range loop
-      Open_Line (Line_Of (Which));
-      Tickers (Which).Start
-        (Programs.Beside ("forwarder"),
-         Words
-           ("tick " & Device (Line_Of (Which)) & " "
-            & Image (Linux_Priority (Which)) & " "
-            & Image (Period_Of (Which) / Milliseconds (1))));
-   end loop;
    if Compared then
       for Which in Subject loop
          Cyclic (Which).Start
@@ -163,20 +147,14 @@ begin
    end if;
    Own_Process.Prefer_Real_Time (True);
    Serve (0.5);
-   for Where in Place loop
-      Forget (Where);
-   end loop;
+   Forget (Both_Ends.Ours);
    Serve (Duration (Bench_Settings.Seconds));
    Own_Process.Prefer_Real_Time (False);
 
-   for Which in Line_Of'Range loop
+   for Which in Battery .. Reload loop
       Ours := Late (Frames (Both_Ends.Ours),
                     (if Which = Battery then "v" else "w"), Period_Of (Which));
       Compare (To_Lower (Which'Image), Which);
-      Reports.Compare
-        (To_Lower (Which'Image) & ", to a bare program with a line",
-         Ours,
-         Late (Frames (Line_Of (Which)), "", Period_Of (Which)));
    end loop;
    Ours := Late (Messages (Both_Ends.Ours), "CIMG", Image_Period);
    Compare ("image", Image);

@@ -1,15 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The floor of the supervisor's orders, answers and periods: a program that
-// does nothing but forward, and one that does nothing but be on time.
+// The floor of the supervisor's orders and answers: a program that does nothing
+// but forward.
 //
 //   forwarder forward DEVICE PRIORITY
 //      prints "listening on PORT", serves one connection; what comes
 //      from there is written to DEVICE, and back
-//   forwarder relay DEVICE PRIORITY
-//      the same through three threads, which wake each other: what the
-//      supervisor's tasks do between the two ends, without their work
-//   forwarder tick DEVICE PRIORITY MILLISECONDS
-//      writes a byte to DEVICE every so many milliseconds
 //   forwarder start
 //      prints "listening on PORT" and ends
 //
@@ -28,7 +23,6 @@
 #include <sys/mman.h>
 #include <sys/socket.h>
 #include <termios.h>
-#include <time.h>
 #include <unistd.h>
 
 static int line, connection;
@@ -82,131 +76,34 @@ static void copy(int from, int to) {
   }
 }
 
-// From one thread to the next
-struct hand_over {
-  pthread_mutex_t lock;
-  pthread_cond_t arrived;
-  char data[4096];
-  ssize_t length;
-};
-
-struct relay {
-  int from, to;
-  struct hand_over first, second;
-};
-
-static void put(struct hand_over *to, const char *data, ssize_t length) {
-  pthread_mutex_lock(&to->lock);
-  memcpy(to->data, data, (size_t)length);
-  to->length = length;
-  pthread_cond_signal(&to->arrived);
-  pthread_mutex_unlock(&to->lock);
-}
-
-static ssize_t take(struct hand_over *from, char *data) {
-  pthread_mutex_lock(&from->lock);
-  while (from->length == 0)
-    pthread_cond_wait(&from->arrived, &from->lock);
-  const ssize_t length = from->length;
-  memcpy(data, from->data, (size_t)length);
-  from->length = 0;
-  pthread_mutex_unlock(&from->lock);
-  return length;
-}
-
-static void *relay_first(void *argument) {
-  struct relay *const relay = argument;
-  char data[4096];
-  for (;;) {
-    const ssize_t got = read(relay->from, data, sizeof data);
-    if (got <= 0)
-      exit(0);
-    put(&relay->first, data, got);
-  }
-}
-
-static void *relay_second(void *argument) {
-  struct relay *const relay = argument;
-  char data[4096];
-  ssize_t length;
-  while ((length = take(&relay->first, data)) > 0)
-    put(&relay->second, data, length);
-  return NULL;
-}
-
-static void *relay_third(void *argument) {
-  struct relay *const relay = argument;
-  char data[4096];
-  for (;;) {
-    const ssize_t length = take(&relay->second, data);
-    if (write(relay->to, data, (size_t)length) != length)
-      exit(0);
-  }
-}
-
-static void start(void *(*thread)(void *), void *argument) {
-  pthread_t unused;
-  // inherits policy and priority
-  if (pthread_create(&unused, NULL, thread, argument) != 0)
-    fail("pthread_create");
-}
-
 static void *copy_back(void *unused) {
   copy(line, connection);
   return unused;
 }
 
-static void forward(int server, int by_threads) {
+static void forward(int server) {
   const int yes = 1;
+  pthread_t unused;
   connection = accept(server, NULL, NULL);
   if (connection < 0 || setsockopt(connection, IPPROTO_TCP, TCP_NODELAY,
                                    &yes, sizeof yes) != 0)
     fail("accept");
-  if (by_threads) {
-    static struct relay there, back;
-    there.from = back.to = connection;
-    there.to = back.from = line;
-    start(relay_third, &there);
-    start(relay_second, &there);
-    start(relay_third, &back);
-    start(relay_second, &back);
-    start(relay_first, &back);
-    relay_first(&there);
-  } else {
-    start(copy_back, NULL);
-    copy(connection, line);
-  }
-}
-
-static void tick(long milliseconds) {
-  struct timespec next;
-  clock_gettime(CLOCK_MONOTONIC, &next);
-  for (;;) {
-    next.tv_nsec += milliseconds % 1000 * 1000000;
-    next.tv_sec += milliseconds / 1000 + next.tv_nsec / 1000000000;
-    next.tv_nsec %= 1000000000;
-    clock_nanosleep(CLOCK_MONOTONIC, TIMER_ABSTIME, &next, NULL);
-    if (write(line, "w\r", 2) != 2)
-      return;
-  }
+  // inherits policy and priority
+  if (pthread_create(&unused, NULL, copy_back, NULL) != 0)
+    fail("pthread_create");
+  copy(connection, line);
 }
 
 int main(int count, char **arguments) {
   if (count == 2 && strcmp(arguments[1], "start") == 0) {
     start_server();
-  } else if (count == 4 && (strcmp(arguments[1], "forward") == 0 ||
-                            strcmp(arguments[1], "relay") == 0)) {
+  } else if (count == 4 && strcmp(arguments[1], "forward") == 0) {
     open_line(arguments[2]);
     const int server = start_server();
     prefer_real_time(atoi(arguments[3]));
-    forward(server, strcmp(arguments[1], "relay") == 0);
-  } else if (count == 5 && strcmp(arguments[1], "tick") == 0) {
-    open_line(arguments[2]);
-    prefer_real_time(atoi(arguments[3]));
-    tick(atol(arguments[4]));
+    forward(server);
   } else {
-    fputs("usage: forwarder forward|relay DEVICE PRIORITY\n"
-          "       forwarder tick DEVICE PRIORITY MILLISECONDS\n"
+    fputs("usage: forwarder forward DEVICE PRIORITY\n"
           "       forwarder start\n",
           stderr);
     return 2;
