@@ -277,7 +277,7 @@ package body Full_Load is
       Measure (Baud    => 9_600,
                Tasks   => True,
                Seconds => Bench_Settings.Short_Seconds);
-      Single_Commands.Measure_Tasks;
+      Single_Commands;
       Mission_Drives.Measure_Tasks;
       Task_Times.Print;
       Reports.End_Section;

@@ -10,7 +10,6 @@ with Busy_Loops;
 with Child_Processes;   use Child_Processes;
 with Emulators;
 with Expectations;      use Expectations;
-with Forwarders;
 with Instants;          use Instants;
 with Interfaces.C;      use Interfaces.C;
 with Libc;
@@ -19,6 +18,7 @@ with Plain_Numbers;         use Plain_Numbers;
 with Programs;
 with Reports;
 with Samples;
+with Schedule;
 with Supervisors;
 
 package body Order_Times is
@@ -138,6 +138,28 @@ package body Order_Times is
       Left_Out := Left_Out + Missed;
    end Measure_Stops;
 
+   procedure Start_Forwarder (Process : in out Child) is
+      --  The floor, at the priority of the task that writes to the line
+      Number : Natural;
+      Line   : Unbounded_String;
+   begin
+      Process.Start
+        (Programs.Beside ("forwarder"),
+         Words
+           ("forward " & Device (Floor)
+            --  Linux counts priorities from 1
+            & Integer'Image
+                (if Own_Process.Real_Time_Allowed
+                 then Schedule.Move_Priority + 1 else 0)));
+      Number := Process.Awaited (Errors, "listening on", 5.0);
+      Check (Number > 0, "the forwarder does not listen");
+      Line := Process.Element (Errors, Number).Text;
+      Connect
+        (Floor,
+         Positive'Value (Slice (Line, Index (Line, ":") + 1, Length (Line))),
+         By_Lines => False);
+   end Start_Forwarder;
+
    procedure Measure (Under : Condition) is
       --  Loaded: images with positions, two busy loops. With_Gap: images
       --  alone, and the default gap between messages. Otherwise no camera
@@ -176,7 +198,7 @@ package body Order_Times is
          end if;
       end loop;
       if Is_Taken (Floor, Under) then
-         Forwarders.Start (Bare, Floor);
+         Start_Forwarder (Bare);
       end if;
       if With_Camera then
          Camera.Start (Camera => True);

@@ -1,5 +1,8 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  What a session seldom has, one at a time.
+--  What a session seldom has: every command by itself, newcomers who are
+--  turned away, monitors that are lost, and the orderly stop. Adds to
+--  Task_Times what the tasks take for it, with two busy loops, in one
+--  supervisor after the other, about Bench_Settings.Seconds in all.
 
 with Bench_Settings;
 with Busy_Loops;
@@ -12,7 +15,7 @@ with Rigs;            use Rigs;
 with Service_Starts;
 with Task_Times;
 
-package body Single_Commands is
+procedure Single_Commands is
 
    Pause : constant Duration := 0.02;
    --  between two commands: no task has anything left to do
@@ -146,13 +149,11 @@ package body Single_Commands is
       Task_Times.Stop;
    end Measure_Once;
 
-   procedure Measure_Tasks is
-      Start : constant Instant := Now;
-   begin
-      loop
-         Measure_Once;
-         exit when Now - Start >= Duration (Bench_Settings.Short_Seconds);
-      end loop;
-   end Measure_Tasks;
+   Start : constant Instant := Now;
 
+begin
+   loop
+      Measure_Once;
+      exit when Now - Start >= Duration (Bench_Settings.Short_Seconds);
+   end loop;
 end Single_Commands;
