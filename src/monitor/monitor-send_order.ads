@@ -3,7 +3,9 @@
 --  and 7), answers before unsolicited messages; and how long after the last
 --  one.
 
-package Monitor.Send_Order with SPARK_Mode, Pure is
+with Options;
+
+package Monitor.Send_Order with SPARK_Mode is
 
    pragma Annotate (GNATprove, Terminating, Monitor.Send_Order);
 
@@ -40,7 +42,7 @@ package Monitor.Send_Order with SPARK_Mode, Pure is
       --  an image has been sent since the last position
    end record;
 
-   subtype Milliseconds is Natural;
+   subtype Milliseconds is Options.Milliseconds;
 
    Answer_Gap : constant Milliseconds := 4;
    --  at most, before an answer (docs/wire.md)
