@@ -131,8 +131,20 @@ def install(machine: Machine) -> None:
     machine.power_on()
     whole_token(machine)
     machine.run(
-        'test -z "$(dpkg --audit)"; systemctl -q is-enabled destijl destijl-web'
+        'test -z "$(dpkg --audit)"; test -s /etc/default/destijl\n'
+        "systemctl -q is-enabled destijl; systemctl -q is-enabled destijl-web\n"
+        "! systemctl -q is-active destijl destijl-web"
     )
+    for program in ("destijl", "destijl_monitor", "destijl_emulator", "destijl_web"):
+        package = program.replace("_", "-")
+        version = machine.run(f"dpkg-query -W -f '${{Version}}' {package}")
+        pattern = rf"{program} {re.escape(version.rsplit('-', 1)[0])}\b"
+        matches(pattern, machine.run(f"{program} --version"))
+        machine.run(
+            f"cd /usr/share; test -s zsh/vendor-completions/_{program}\n"
+            f"test -s bash-completion/completions/{program}\n"
+            f"dpkg -L {package} | grep -q /man1/{program}.1"
+        )
     #  of an older package: named, and made again
     machine.run(f": >/etc/destijl/token; sed -i s/SERIAL=.*/SERIAL=none/ {SETTINGS}")
     since = machine.mark()
@@ -589,13 +601,16 @@ def upgrade(machine: Machine) -> None:
 @emulated("removed, installed again, purged")
 def purge(machine: Machine) -> None:
     packages = "destijl destijl-web destijl-monitor destijl-emulator"
-    known = "sha256sum /etc/destijl/token /etc/default/destijl*"
+    known = (
+        "sha256sum /etc/destijl/token /etc/default/destijl*\n"
+        "find /var/lib/private/destijl-web -name images.mjpeg | sort"
+    )
     before = machine.run(known)
     machine.run(f"apt-get -qq remove -y {packages}; test ! -e /usr/bin/destijl")
     machine.run("! systemctl -q is-active destijl destijl-web")
     install_packages(machine, "/root/packages/*.deb")
     if machine.run(known) != before:
-        raise Wrong("token or settings are others")
+        raise Wrong("token, settings or recordings are others")
     machine.run(f"apt-get -qq purge -y {packages}")
     left = machine.run(
         "find / -xdev -name '*destijl*' ! -path '/root/*' ! -path '/var/log/*'"
@@ -603,4 +618,4 @@ def purge(machine: Machine) -> None:
     )
     if left:
         raise Wrong(f"it leaves {left}")
-    machine.run("! systemctl cat destijl; ! getent passwd destijl")
+    machine.run("! { systemctl cat destijl || getent passwd destijl; }")

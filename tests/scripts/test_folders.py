@@ -2,6 +2,7 @@
 """The folders of src see only what docs/architecture.md says, and in the rooms only
 the units that it names have tasks, locks or devices, or import one that has."""
 
+import fnmatch
 import os
 import re
 import shutil
@@ -62,6 +63,20 @@ def test_imports(tree: Path, file: str, foreign: str) -> None:
         assert len([*(tree / "src").glob(f"*/{name}")]) == 1
         path.write_text(re.sub("(?m)^package", rf"with {unit};\n\g<0>", text, count=1))
         assert f'file "{name}" not found' in compiled(tree, file)
+
+
+def test_projects() -> None:
+    """Each project file that a script or a document names is there."""
+    places = ["script", "debian", ".ci", "docs", "*.md"]
+    found = subprocess.check_output(
+        ["git", "grep", "-hoE", r"[*a-z0-9_/]+\.gpr\b", "--", *places],
+        cwd=ROOT,
+        text=True,
+    )
+    known = [f"/{file.relative_to(ROOT)}" for file in ROOT.rglob("*.gpr")]
+    names = {name.lstrip("/") for name in found.split()}
+    assert "destijl.gpr" in names
+    assert not {name for name in names if not fnmatch.filter(known, f"*/{name}")}
 
 
 def test_decisions() -> None:
