@@ -559,8 +559,8 @@ def ended(machine: Machine) -> None:
     machine.run("systemctl stop destijl-web destijl")
     put(machine, [ROOT / "debian", ROOT / "script"], "/root/source")
     machine.run(
-        "cd /root/source; mkdir /root/trial; export AUTOPKGTEST_TMP=/root/trial\n"
-        "export PATIENCE=10\n"
+        "rm -rf /root/trial; mkdir /root/trial; cd /root/source\n"
+        "export AUTOPKGTEST_TMP=/root/trial PATIENCE=10\n"
         "debian/tests/drive >/root/said || { grep WRONG /root/said; false; }",
         900.0,
     )
