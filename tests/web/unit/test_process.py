@@ -46,9 +46,11 @@ def served(programs: Any, request: pytest.FixtureRequest) -> Iterator[Served]:
 def rest(connection: socket.socket) -> bytes:
     """What comes until its end, but for signs of life."""
     data = b""
+    ends = time.monotonic() + LIMIT
     with contextlib.suppress(ConnectionResetError):  # something was unread
         while more := connection.recv(100):
             data += more
+            assert time.monotonic() < ends
     return data.replace(b"LIVE\n", b"")
 
 
@@ -89,8 +91,18 @@ def test_a_port_that_is_taken() -> None:
     assert error.count("\n") == 1
 
 
+@pytest.fixture
+def terminal() -> Iterator[None]:
+    """As started there, also where these tests run by nohup."""
+    before = signal.signal(signal.SIGHUP, signal.SIG_DFL)
+    yield
+    signal.signal(signal.SIGHUP, before)
+
+
 @pytest.mark.parametrize("number", [signal.SIGTERM, signal.SIGINT, signal.SIGHUP])
-def test_an_orderly_stop(served: Served, number: signal.Signals) -> None:
+def test_an_orderly_stop(
+    terminal: None, served: Served, number: signal.Signals
+) -> None:
     served.program.process.send_signal(number)
     assert rest(served.connection) == b""
     served.connection.close()
