@@ -436,7 +436,7 @@ def test_stop_by_another_withdraws_a_target(
     other.press(" ")
     stand.stands(within=NOTICED)
     pilot.logged(code="stopped_by")
-    assert pilot.data("plan", "overlay") == ""
+    await_(lambda: pilot.data("plan", "overlay") == "", "nothing is drawn")
     pilot.run("window.held()")
     pilot.logged(label="MABT")
     time.sleep(1)
