@@ -12,11 +12,10 @@ package body Robot.Health.Proof with SPARK_Mode is
          pragma Loop_Invariant (Failures (H) = In_A_Row);
          if A.Answered then
             In_A_Row := 0;
-            Success (H);
-            pragma Assert (H = Initial);
+            H := Initial;
          else
             In_A_Row := In_A_Row + 1;
-            Failure (H, A.Command);
+            H := After_Failure (H, A.Command);
          end if;
          pragma Assert (Lost (H) = (In_A_Row = 4));
          exit when Lost (H);

@@ -9,21 +9,19 @@ package body Robot.Protocol.Proof with SPARK_Mode is
       Answer   : Reply;
    begin
       for I in Data'Range loop
-         Accept_Byte (R, Data (I), Complete);
+         Accept_Byte (R, Data (I), F, Complete);
          pragma Assert (not Complete);
-         pragma Loop_Invariant (not R.Finished);
-         pragma Loop_Invariant (R.Length = Natural'Min (I, Max_Frame));
-         pragma Loop_Invariant (R.Overflow = (I > Max_Frame));
+         pragma Loop_Invariant (R.Length = Natural'Min (I, Max_Frame + 1));
          pragma Loop_Invariant
-           (for all J in 1 .. R.Length => R.Data (J) = Data (J));
+           (for all J in 1 .. Natural'Min (R.Length, Max_Frame) =>
+              R.Data (J) = Data (J));
       end loop;
-      Accept_Byte (R, Terminator, Complete);
+      Accept_Byte (R, Terminator, F, Complete);
       pragma Assert (Complete);
-      Get (R, F);
       pragma Assert
         (F.Length = (if Data'Length > Max_Frame then 0 else Data'Length));
       pragma Assert (for all I in 1 .. F.Length => F.Data (I) = Data (I));
-      Decode (F, Pending, Answer);
+      Answer := Decode (F, Pending);
       pragma Assert (if F.Length < 2 then Answer.Kind = Malformed);
       pragma Assert
         (Is_Answer (Answer.Kind, Pending)

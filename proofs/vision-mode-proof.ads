@@ -6,23 +6,9 @@
 
 package Vision.Mode.Proof with SPARK_Mode, Ghost is
 
-   type Event is
-     (Open_Order,
-      Camera_Opened,
-      Camera_Missing,
-      Camera_Closed,
-      Arena_Order,
-      Arena_Found,
-      No_Arena_Found,
-      Confirmation,
-      Rejection,
-      Position_Order,
-      Position_End,
-      Image_Due);        --  the period of the images
+   type History is array (Positive range <>) of Change;
 
-   type History is array (Positive range <>) of Event;
-
-   procedure Prove_Arena (Events : History);
-   --  Asserted in the body
+   procedure Prove_Arena (Changes : History);
+   --  Asserted in the body. A change that is not possible has no effect
 
 end Vision.Mode.Proof;

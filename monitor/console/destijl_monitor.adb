@@ -8,7 +8,7 @@ with Ada.Exceptions;
 with Ada.Real_Time;
 with Ada.Strings.Unbounded; use Ada.Strings.Unbounded;
 with Ada.Text_IO;
-with Admission.Authentication;
+with Admission;
 with Connections;
 with GNAT.OS_Lib;           use GNAT.OS_Lib;
 with Interruptions;
@@ -38,7 +38,7 @@ procedure Destijl_Monitor is
       File  : Ada.Text_IO.File_Type;
       Text  : String (1 .. 256);
       Last  : Natural;
-      Token : Admission.Authentication.Token;
+      Token : Admission.Token;
    begin
       if Token_File = "" then
          return "";
@@ -46,12 +46,12 @@ procedure Destijl_Monitor is
       Ada.Text_IO.Open (File, Ada.Text_IO.In_File, Token_File);
       Ada.Text_IO.Get_Line (File, Text, Last);
       Ada.Text_IO.Close (File);
-      Admission.Authentication.Read_Token (Text (1 .. Last), Token);
+      Admission.Read_Token (Text (1 .. Last), Token);
       if Token.Length = 0 then
          Terminals.Put_Error (Token_File & " has no token in its first line");
          OS_Exit (2);
       end if;
-      return Admission.Authentication.Label & Token.Data (1 .. Token.Length);
+      return Admission.Label & Token.Data (1 .. Token.Length);
    exception
       when Error : Ada.Text_IO.Name_Error | Ada.Text_IO.Use_Error
          | Ada.Text_IO.End_Error =>

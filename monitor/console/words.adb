@@ -184,7 +184,7 @@ package body Words is
                     (if Is_Understood (Sent) then Sending (Sent)
                      else Wrong
                        (To_String (P.Words) & " wants "
-                        & (if Is_Single (P.Sends) then "X;Y"
+                        & (if Most_Points (P.Sends) = 1 then "X;Y"
                            else "1 to 64 points X;Y;...")));
                end;
             end if;

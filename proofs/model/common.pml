@@ -6,7 +6,7 @@
    task              proctype Th_...
    protected object  PROTECTED (Package_Object), of type Package_Object_Type
    event             EVENT (Package_Object), an instance of Event
-   generic instance  INSTANCE (Package_Instance, index)
+   events of a package   EVENTS (Package, number), each with its index
 
    A protected operation is one atomic step; whatever lies between two of
    them, the setting of an event too, may be interleaved with every other
@@ -15,7 +15,6 @@
 #define EVENT(name)         byte name = 0
 #define EVENTS(name, n)     byte name [n] = 0
 #define PROTECTED(name)     name##_Type name
-#define INSTANCE(name, n)
 
 /* An event counter of the kernel, as Event uses it: set once or several times
    before its task goes on is the same.

@@ -49,14 +49,13 @@ look:
          Journal_Buffer.Count--;
          Journal_Buffer.Writing = true;
          goto write
-      :: else
+      :: else -> Journal_Buffer.Writing = false
       fi
    };
    atomic { Wait_For_Work (Journal_Arrived); goto look };
 write:
-   /*: Journal.Buffer.Written */
 end_stuck:
-   atomic { !Console_Stuck -> Journal_Buffer.Writing = false; goto look }
+   atomic { !Console_Stuck -> goto look }
 }
 
 EVENT (Monitor_Session_Server_Allowed);
@@ -222,12 +221,12 @@ end_wait:
    /*: Connection.Shut_Down in session */
    /* Wait_Session_End: as long as it takes, or, where a task has failed or
       the line hangs, until the limit */
-   /*: Session.State.Get, Line.Line.Get_Status, Camera_Requests.Requests.Get_Idle */
+   /*: Session.State.Get, Line.Line.Get_Status, Vision.State.Store.Get_Idle */
    if
    :: Session_Over
    :: Fault
    :: /*: delay, Session.State.Get, Line.Line.Get_Status,
-          Camera_Requests.Requests.Get_Idle + */
+          Vision.State.Store.Get_Idle + */
       (Session_Over || Fault)
    fi;
    /*: Line.Line.Get_Status */

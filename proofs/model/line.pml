@@ -8,17 +8,17 @@
 #define LEAVE_TRIES   1   /* the code's 3: one less than MAX_FAILURES */
 
 /* Robot.Users: the tasks that use the line */
-#define Robot_Users_Monitor_Lost   0   /* instance */
-#define Robot_Users_Start_WD       1   /* instance */
-#define Robot_Users_Move           2   /* instance */
-#define Robot_Users_Mission        3   /* instance */
-#define Robot_Users_Battery        4   /* instance */
-#define Robot_Users_Open_Com       5   /* instance */
-#define Robot_Users_Start          6   /* instance */
-#define Robot_Users_Reset          7   /* instance */
+#define Robot_Users_Monitor_Lost   0   /* event */
+#define Robot_Users_Start_WD       1   /* event */
+#define Robot_Users_Move           2   /* event */
+#define Robot_Users_Mission        3   /* event */
+#define Robot_Users_Battery        4   /* event */
+#define Robot_Users_Open_Com       5   /* event */
+#define Robot_Users_Start          6   /* event */
+#define Robot_Users_Reset          7   /* event */
 #define NOBODY                     8
-EVENTS (Robot_Turns_Granted, NOBODY);
-#define Granted(who)  Robot_Turns_Granted [who]
+EVENTS (Robot_Users, NOBODY);
+#define Granted(who)  Robot_Users [who]
 
 mtype:source  = { Of_End, Of_Stop, Of_Reload, Of_Movement, Of_Mission,
                   Of_Battery, Of_Order, Of_Ping };
@@ -423,7 +423,7 @@ inline Take_Line (who) {
    more, waits again */
 inline Wake () {
    if
-   :: to != NOBODY -> Set_Event (Robot_Turns_Granted [to]); to = NOBODY
+   :: to != NOBODY -> Set_Event (Robot_Users [to]); to = NOBODY
    :: else
    fi
 }
@@ -480,9 +480,9 @@ inline Finish_Line (who) {
 /* What a task says of its request. After a start the periodic tasks look */
 inline Tell_Of_Start () {
 #ifndef MUTANT_BATTERY_NOT_BEGUN
-   Set_Event (Robot_Turns_Granted [Robot_Users_Battery]);
+   Set_Event (Robot_Users [Robot_Users_Battery]);
 #endif
-   Set_Event (Robot_Turns_Granted [Robot_Users_Open_Com])
+   Set_Event (Robot_Users [Robot_Users_Open_Com])
 }
 inline Tell_Level () {
    if
@@ -527,7 +527,7 @@ inline Give_Back (who) {
    it. The time comes where due is true; there is one where has_time is */
 inline Serve (who) {
    atomic {
-      Wait_For_Work (Robot_Turns_Granted [who]);
+      Wait_For_Work (Robot_Users [who]);
       Take_Up (who)
    };
    Give_Back (who);
@@ -537,7 +537,7 @@ not_mine:
 
 inline Serve_Or_Look (who, due, has_time) {
    atomic {
-      Wait_Until_Due (Robot_Turns_Granted [who], timed && due);
+      Wait_Until_Due (Robot_Users [who], timed && due);
       if
       :: was_set -> was_set = false; Take_Up (who)
       :: else -> goto not_mine

@@ -89,12 +89,12 @@ typedef Missions_Requests_Place_Type {
 };
 PROTECTED (Missions_Requests_Place);
 EVENT (Missions_Requests_Arrived);
-EVENT (Vision_Sightings_Searched);
+EVENT (Vision_State_Searched);
 #define MR         Missions_Requests_Place
 #define Is_Started  (L.Mode != Not_Started)
 
-typedef Vision_Sightings_Store_Type { bool Watched };
-PROTECTED (Vision_Sightings_Store);
+typedef Vision_State_Store_Type { bool Watched };
+PROTECTED (Vision_State_Store);
 
 /* Images come at any time, or no more. As a time ends the wait for the next,
    too, they make no difference: with -DIMAGES only */
@@ -104,18 +104,16 @@ active proctype Th_Capture_Img ()
    bool awaited;
 end_wait:
    do
-   :: /*: Sightings.Store.Clear */
-      Vision_Sightings_Store.Watched;
+   :: Vision_State_Store.Watched;
       do
-      :: /*: Sightings.Store.Put */
-         awaited = Vision_Sightings_Store.Watched;
+      :: /*: State.Store.Put */
+         awaited = Vision_State_Store.Watched;
          if
-         :: awaited -> Set_Event (Vision_Sightings_Searched)
+         :: awaited -> Set_Event (Vision_State_Searched)
          :: else -> skip
          fi
-      :: !Vision_Sightings_Store.Watched -> break
+      :: !Vision_State_Store.Watched -> break
       od;
-      /*: Sightings.Store.Clear */
       awaited = false
    od
 }
@@ -192,7 +190,7 @@ wait:
    };
    /* what stands against it: the robot; or the camera, its positions, the
       arena, the points, at any time */
-   /*: Line.Line.Get_Status, State.Store.Get, Sightings.Store.Get */
+   /*: Line.Line.Get_Status, State.Store.Get, State.Store.Get_Sighting */
    atomic {
       if
       :: L.Mode == Not_Started -> goto deny
@@ -208,13 +206,13 @@ wait:
       :: else
       fi;
       Monitor_Outbox_Answer (mission);
-      /*: Sightings.Store.Watch */
-      Vision_Sightings_Store.Watched = true;
+      /*: State.Store.Watch */
+      Vision_State_Store.Watched = true;
       left = STEPS
    };
 look:
    /* it goes on while nobody and nothing ends it */
-   /*: Line.Line.Get_Status, State.Store.Get, Sightings.Store.Get,
+   /*: Line.Line.Get_Status, State.Store.Get, State.Store.Get_Sighting,
        Line.Line.Get_Rights */
    atomic {
       if
@@ -246,20 +244,20 @@ look:
    };
 turn:
    atomic {
-      Wait_Event (Robot_Turns_Granted [Robot_Users_Mission]);
+      Wait_Event (Robot_Users [Robot_Users_Mission]);
       Take_Up (Robot_Users_Mission)
    };
    Give_Back (Robot_Users_Mission);
 not_mine:
    if :: L.Asks -> goto turn :: else fi;
 next:
-   atomic { Wait_Until (Vision_Sightings_Searched); goto look };
+   atomic { Wait_Until (Vision_State_Searched); goto look };
 leave:
    atomic {
       /* the last thing that it sent was a stop */
       assert (!Drives || Overridden (mission));
-      /*: Sightings.Store.Watch */
-      Vision_Sightings_Store.Watched = false;
+      /*: State.Store.Watch */
+      Vision_State_Store.Watched = false;
       ended = false; left = 0; what = 0;
 #if !defined (MUTANT_RELEASED_AFTER_END) && !defined (MUTANT_NOT_RELEASED)
       Release ()
@@ -422,9 +420,9 @@ active proctype Th_Server ()
     && Is_Awaited (Monitor_Session_Receive_Begins)
     && Is_Awaited (Missions_Requests_Arrived)
 #if defined (CHANGES) || defined (ASKS)
-    && Is_Awaited (Robot_Turns_Granted [Robot_Users_Open_Com])
+    && Is_Awaited (Robot_Users [Robot_Users_Open_Com])
 #endif
-    && Is_Awaited (Robot_Turns_Granted [Robot_Users_Move]));
+    && Is_Awaited (Robot_Users [Robot_Users_Move]));
 end_server:
    do
    :: session >= 1 + (LATER > 0) -> break
@@ -493,7 +491,7 @@ end_stays:
       d_step { L.Ends = true; Choose (); best = 0 }
       Wake ();
 turn: atomic {
-         Wait_Event (Robot_Turns_Granted [Robot_Users_Monitor_Lost]);
+         Wait_Event (Robot_Users [Robot_Users_Monitor_Lost]);
          Take_Up (Robot_Users_Monitor_Lost)
       };
       Give_Back (Robot_Users_Monitor_Lost);

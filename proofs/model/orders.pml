@@ -120,7 +120,7 @@ active proctype Th_Receive_From_Mon ()
             fi
          };
 #ifdef MUTANT_EVENT_BEFORE_PUT
-         Set_Event (Robot_Turns_Granted [Robot_Users_Move]);
+         Set_Event (Robot_Users [Robot_Users_Move]);
 #endif
          /*: Line.Line.Put */
          d_step {
@@ -154,11 +154,11 @@ active proctype Th_Server ()
    byte session;
    (Is_Awaited (Monitor_Session_Watch_Begins)
     && Is_Awaited (Monitor_Session_Receive_Begins)
-    && Is_Awaited (Robot_Turns_Granted [Robot_Users_Open_Com])
-    && Is_Awaited (Robot_Turns_Granted [Robot_Users_Start])
-    && Is_Awaited (Robot_Turns_Granted [Robot_Users_Start_WD])
-    && Is_Awaited (Robot_Turns_Granted [Robot_Users_Reset])
-    && Is_Awaited (Robot_Turns_Granted [Robot_Users_Move]));
+    && Is_Awaited (Robot_Users [Robot_Users_Open_Com])
+    && Is_Awaited (Robot_Users [Robot_Users_Start])
+    && Is_Awaited (Robot_Users [Robot_Users_Start_WD])
+    && Is_Awaited (Robot_Users [Robot_Users_Reset])
+    && Is_Awaited (Robot_Users [Robot_Users_Move]));
    do
    :: session < SESSIONS ->
       /* Begin_Active, Admit: see session.pml */
@@ -221,7 +221,7 @@ active proctype Th_Com_Mon_Perdue ()
       d_step { L.Ends = true; Choose (); best = 0 }
       Wake ();
 turn: atomic {
-         Wait_Event (Robot_Turns_Granted [Robot_Users_Monitor_Lost]);
+         Wait_Event (Robot_Users [Robot_Users_Monitor_Lost]);
          Take_Up (Robot_Users_Monitor_Lost)
       };
       Give_Back (Robot_Users_Monitor_Lost);

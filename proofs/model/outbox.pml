@@ -47,7 +47,7 @@ EVENT (Monitor_Outbox_Work);
 #define Box           Monitor_Outbox_Box
 #define Answer_Waits  (Box.Count > 0 && Box.Places [0] != Awaited)
 
-/* Monitor.Send_Order.Next */
+/* Monitor.Mailboxes.Next */
 #define May_Answer \
    (Box.Open && Answer_Waits \
     && !(Box.Unasked && Box.Released && Box.Answered))

@@ -194,7 +194,7 @@ active proctype Th_Com_Mon_Perdue ()
          atomic { Over (own) || Peer [own] == Silent -> In_Watch = false; break }
       :: /*: Connection.Watch, Session.State.Get */
          atomic { !(Over (own) || Peer [own] == Silent) -> skip };
-         /*: Vision.Frame_Store.Look_At_Silence in vision */
+         /*: Vision.Frames.Look_At_Silence in vision */
          Over (own) || Peer [own] == Silent
       od;
       /*: Session.State.Go_On */
@@ -209,11 +209,10 @@ active proctype Th_Com_Mon_Perdue ()
       /*: Set_Event (Outbox.Room) in outbox,
           Set_Event (Outbox.Arena_Room) in vision,
           Robot.Line.Begin_Session in orders, Robot.Line.Ask in orders */
-      /*: Robot.Turns.Wait_In_Job [Robot_Users_Monitor_Lost] in orders,
+      /*: Wait_Event (Robot_Users [Robot_Users_Monitor_Lost]) in orders,
           Robot.Service.Serve in orders + */
       /*: Vision.State.Store.Begin_Session in vision,
-          Camera_Requests.Requests.Close in vision,
-          Frame_Store.End_Delivery in vision */
+          Vision.Frames.End_Delivery in vision */
       do
       :: /*: Box.Get */
          atomic { !Monitor_Outbox_Busy -> break }
@@ -229,9 +228,9 @@ active proctype Th_Com_Mon_Perdue ()
 #endif
       /*: Vision.Turns.Clear in vision */
       atomic {
-         /*: Camera_Requests.Requests.Get_Idle in vision */
+         /*: Vision.State.Store.Get_Idle in vision */
          if
-         :: /*: delay in vision, Camera_Requests.Requests.Get_Idle in vision + */ skip
+         :: /*: delay in vision, Vision.State.Store.Get_Idle in vision + */ skip
          :: skip
          fi
       };

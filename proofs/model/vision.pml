@@ -60,46 +60,43 @@ inline Stop_Images (ghost) {
    }
 }
 
-/* Vision.State */
+/* Vision.State: the mode, and the request to the camera's owner */
 
 mtype:stage = { Closed, Opening, Streaming, Searching, Deciding };
 typedef Vision_State_Store_Type {
    byte First;
-   mtype:stage Stage = Closed
+   mtype:stage Stage = Closed;
+   bool Pending;
+   byte Opener;
+   bool Idle = true;
+   bool Outcome
 };
 PROTECTED (Vision_State_Store);
+EVENT (Vision_State_Asked);
+EVENT (Vision_State_Answered);
+EVENT (Vision_State_Images_Begin);
 #define VS  Vision_State_Store
 #define Is_Open \
    (VS.Stage == Streaming || VS.Stage == Searching || VS.Stage == Deciding)
 
-/* Vision.Camera_Requests */
+#ifdef MUTANT_CAMERA_KEPT_FOR_NOBODY
+#define Is_Wanted(request)  (request == VS.Opener)
+#else
+#define Is_Wanted(request)  (VS.Stage != Closed && request == VS.Opener)
+#endif
 
-typedef Vision_Camera_Requests_Requests_Type {
-   bool Pending;
-   bool Wanted;
-   byte Current;
-   bool Idle = true;
-   bool Opened
-};
-PROTECTED (Vision_Camera_Requests_Requests);
-EVENT (Vision_Camera_Requests_Asked);
-EVENT (Vision_Camera_Requests_Answered);
-#define CR  Vision_Camera_Requests_Requests
+/* Vision.Frames */
 
-EVENT (Vision_Camera_Requests_Images_Begin);
-
-/* Vision.Frame_Store */
-
-typedef Vision_Frame_Store_Store_Type {
+typedef Vision_Frames_Store_Type {
    bool Newest;
    bool Delivering;
    bool Waits;            /* th_capture_img, for the next image */
    byte Claimed
 };
-PROTECTED (Vision_Frame_Store_Store);
-EVENT (Vision_Frame_Store_Changed);
-EVENT (Vision_Frame_Store_Look);
-#define FS  Vision_Frame_Store_Store
+PROTECTED (Vision_Frames_Store);
+EVENT (Vision_Frames_Changed);
+EVENT (Vision_Frames_Look);
+#define FS  Vision_Frames_Store
 
 bool Camera_Open    = false;   /* the device */
 bool Camera_Hangs   = false;   /* in its driver */
@@ -186,13 +183,13 @@ inline Finish () {
 
 inline Tell_If (awaited) {
    if
-   :: awaited -> awaited = false; Set_Event (Vision_Frame_Store_Look)
+   :: awaited -> awaited = false; Set_Event (Vision_Frames_Look)
    :: else
    fi
 }
 
 inline End_Delivery () {
-   /*: Store.Store.End_Delivery */
+   /*: Frames.Store.End_Delivery */
    atomic {
       FS.Newest = false;
       FS.Delivering = false;
@@ -202,7 +199,7 @@ inline End_Delivery () {
 #endif
    };
 #ifndef MUTANT_END_WITHOUT_EVENT
-   Set_Event (Vision_Frame_Store_Changed);
+   Set_Event (Vision_Frames_Changed);
 #endif
    Tell_If (awaited)
 }
@@ -217,7 +214,7 @@ inline End_Delivery () {
 /* Once in the period of the link: what th_capture_img waits for does not
    come */
 inline Look_At_Silence () {
-   /*: Store.Store.Look_At_Silence */
+   /*: Frames.Store.Look_At_Silence */
    atomic {
 #ifdef MUTANT_SILENCE_WITHOUT_LOOK
       0 &&
@@ -229,7 +226,7 @@ inline Look_At_Silence () {
 
 /* The camera delivers no more: close it, once */
 inline Camera_Failed () {
-   /*: State.Store.Close */
+   /*: State.Store.Give_Up */
    atomic {
       was_open = Is_Open;
       VS.Stage = Closed;
@@ -240,19 +237,13 @@ inline Camera_Failed () {
    };
    atomic {
       was_open = false;
-      Stop_Images (false);
-      Close_Camera_Request ()
+      Stop_Images (false)
    };
    End_Delivery ();
    /*: Monitor.Outbox.Put in outbox */
    skip;
 closed:
    skip
-}
-
-inline Close_Camera_Request () {
-   /*: Requests.Requests.Close */
-   CR.Wanted = false
 }
 
 active proctype Th_Camera_Control ()
@@ -269,64 +260,54 @@ wait:
       :: kind == Open_Camera ->
          /*: State.Store.Ask_Open */
          if
-         :: number >= VS.First && !Is_Open ->
-            assert (VS.Stage == Closed);
-            VS.Stage = Opening                          /* needed */
+         :: number >= VS.First && VS.Stage == Closed ->
+            VS.Stage = Opening;                         /* needed */
+            VS.Opener = number;
+            VS.Pending = true;
+            Control_Waits = true
          :: else -> goto answer
          fi
       :: kind == Close_Camera ->
-         /*: State.Store.Close_By_Order */
+         /*: State.Store.Change */
          if
          :: number >= VS.First -> VS.Stage = Closed; goto close
          :: else -> goto answer
          fi
       :: kind == Ask_Position ->
          /* positions are sent at any time, as if they were asked for */
-         /*: State.Store.Ask_Position */
+         /*: State.Store.Change */
          goto answer
       fi
    };
-   /* Vision.Camera_Requests.Open */
-   /*: Requests.Requests.Open */
-   atomic {
-      CR.Current++;
-      CR.Wanted = true;
-      CR.Pending = true;
-      Control_Waits = true
-   };
    atomic {
 #ifndef MUTANT_CAMERA_NOT_ASKED
-      Set_Event (Vision_Camera_Requests_Asked);
+      Set_Event (Vision_State_Asked);
 #endif
-      Wait_Event (Vision_Camera_Requests_Answered);
+      Wait_Event (Vision_State_Answered);
       Control_Waits = false;
-      /*: Requests.Collect, State.Store.Opened */
+      /*: State.Store.Opened */
       if
-      :: number >= VS.First && VS.Stage == Opening && CR.Opened ->
+      :: number >= VS.First && VS.Stage == Opening && VS.Outcome ->
          VS.Stage = Streaming;
          Images_Stopped = false;
          success = true;
          goto opened
-      :: number >= VS.First && VS.Stage == Opening && !CR.Opened ->
+      :: number >= VS.First && VS.Stage == Opening && !VS.Outcome ->
          VS.Stage = Closed
       :: !(number >= VS.First && VS.Stage == Opening) ->
 #ifdef MUTANT_FAILED_CAMERA_ACKNOWLEDGED
-         success = CR.Opened
+         success = VS.Outcome
 #endif
       fi;
       /* acknowledged only if it is open now */
-      assert (!success)
+      assert (!success);
+      goto answer
    };
-#ifndef MUTANT_CAMERA_KEPT_FOR_NOBODY
-   Close_Camera_Request ();
-#endif
-   goto answer;
 opened:
-   Set_Event (Vision_Camera_Requests_Images_Begin);
+   Set_Event (Vision_State_Images_Begin);
    goto answer;
 close:
    Stop_Images (true);
-   Close_Camera_Request ();
 answer:
    /*: Monitor.Outbox.Answer in outbox */
    atomic { success = false; Answer (number) };
@@ -342,17 +323,15 @@ active proctype Th_Capture_Img ()
    bool fails, looks, found, coming, was_open, awaited;
    /*: whole */
 wait:
-   Wait_For_Work (Vision_Camera_Requests_Images_Begin);
-   /*: Sightings.Store.Clear in mission */
+   Wait_For_Work (Vision_State_Images_Begin);
    do
    :: /*: Box.Get */
       Made_Is_Now = true;           /* before the mode */
-      /*: State.Store.Get, Store.Store.Get_Silent */
+      /*: State.Store.Get, Frames.Store.Get_Silent */
       atomic {
          if
          :: VS.Stage == Closed || VS.Stage == Opening ->
             Made_Is_Now = false;
-            /*: Sightings.Store.Clear in mission */
             goto wait
          :: SILENT && Is_Open -> fails = true
          :: !SILENT && VS.Stage == Streaming -> looks = true
@@ -363,7 +342,7 @@ wait:
       if
       :: fails -> fails = false; Camera_Failed ()
       :: looks ->
-         /*: Store.Store.Claim_Due */
+         /*: Frames.Store.Claim_Due */
          atomic {
             looks = false;
             if
@@ -379,14 +358,14 @@ wait:
             atomic {
                found = false;
                if
-               :: /*: Vision.Sightings.Put in mission */ skip
+               :: /*: Vision.State.Put in mission */ skip
                :: skip
                fi;
                if
                :: /*: Outbox.Put_Image in outbox */ May_Be_Sent ()
                :: skip
                fi;
-               /*: Store.Store.Release */
+               /*: Frames.Store.Release */
                FS.Claimed--
             };
             atomic {
@@ -402,7 +381,7 @@ wait:
       fi;
       atomic {
          if
-         :: coming -> coming = false; Wait_Event (Vision_Frame_Store_Look)
+         :: coming -> coming = false; Wait_Event (Vision_Frames_Look)
          :: else -> /*: delay */ skip
          fi
       }
@@ -413,7 +392,7 @@ active proctype Th_Arene ()
 {
    byte number;
    mtype:order kind, turn;
-   bool found, delivering;
+   bool found;
    /*: whole */
 wait:
    atomic {
@@ -421,7 +400,7 @@ wait:
       Take (Ask_Arena);
       if
       :: kind == Decide_Arena ->
-         /*: State.Store.Decide */
+         /*: State.Store.Change */
          if
          :: number >= VS.First && VS.Stage == Deciding ->
             VS.Stage = Streaming;
@@ -430,7 +409,7 @@ wait:
          fi;
          goto answer_nothing
       :: kind == Ask_Arena ->
-         /*: State.Store.Ask_Arena */
+         /*: State.Store.Change */
          if
          :: number >= VS.First && Is_Open -> VS.Stage = Searching
          :: else -> goto answer
@@ -444,29 +423,27 @@ wait:
    Stop_Images (true);
    /* Wait_Newest */
 newest:
-   /*: Store.Store.Get_Delivering */
-   delivering = FS.Delivering;
-   /*: Store.Store.Claim_Newest */
+   /*: Frames.Store.Claim_Newest */
    atomic {
       if
-      :: FS.Newest -> FS.Newest = false; FS.Claimed++; delivering = false;
-         found = true; goto search
-      :: !FS.Newest && !delivering -> goto search
-      :: !FS.Newest && delivering -> delivering = false
+      :: FS.Newest -> FS.Newest = false; FS.Claimed++; found = true;
+         goto search
+      :: !FS.Newest && !FS.Delivering -> goto search
+      :: !FS.Newest && FS.Delivering
       fi
    };
-   atomic { Wait_Event (Vision_Frame_Store_Changed); goto newest };
+   atomic { Wait_Event (Vision_Frames_Changed); goto newest };
 search:
    atomic {
       if
       :: found ->
-         /*: Store.Store.Release */
+         /*: Frames.Store.Release */
          FS.Claimed--;
          if :: found = true :: found = false fi
       :: else
       fi
    };
-   /*: State.Store.Searched */
+   /*: State.Store.Change */
    atomic {
       if
       :: number >= VS.First && VS.Stage == Searching && found ->
@@ -514,42 +491,42 @@ active proctype Th_Camera ()
    /*: whole */
 look:
    atomic {
-      /*: Requests.Requests.Take */
+      /*: State.Store.Take */
       if
-      :: CR.Pending ->
-         request = CR.Current; CR.Pending = false; CR.Idle = false;
+      :: VS.Pending ->
+         request = VS.Opener; VS.Pending = false; VS.Idle = false;
          goto open
       :: else
       fi
    };
-   atomic { Wait_For_Work (Vision_Camera_Requests_Asked); goto look };
+   atomic { Wait_For_Work (Vision_State_Asked); goto look };
 open:
-   /*: Vision.Library.Open, Requests.Requests.Get_Wanted */
+   /*: Vision.Library.Open, State.Store.Get_Wanted */
    atomic {
       if
-      :: Camera_Open = true; success = CR.Wanted && request == CR.Current
+      :: Camera_Open = true; success = Is_Wanted (request)
       :: success = false
       fi
    };
    if
    :: !success ->
-      /*: Requests.Requests.Report */
+      /*: State.Store.Report */
       atomic {
-         CR.Opened = false;
-         Set_Event (Vision_Camera_Requests_Answered);
+         VS.Outcome = false;
+         Set_Event (Vision_State_Answered);
          goto close
       }
    :: success ->
-      /*: Store.Store.Begin_Delivery */
+      /*: Frames.Store.Begin_Delivery */
       atomic { FS.Newest = false; FS.Delivering = true; success = false };
-      /*: Requests.Requests.Report */
+      /*: State.Store.Report */
       atomic {
-         CR.Opened = true;
-         Set_Event (Vision_Camera_Requests_Answered)
+         VS.Outcome = true;
+         Set_Event (Vision_State_Answered)
       }
    fi;
    do
-   :: /*: Store.Store.Claim_Empty, Vision.Library.Grab */
+   :: /*: Frames.Store.Claim_Empty, Vision.Library.Grab */
       atomic {
          /* with the image before the newest */
          assert (FS.Claimed + 2 * FS.Newest < SLOTS);
@@ -564,24 +541,24 @@ open:
 grabbed:
       if
       :: success ->
-         /*: Store.Store.Publish */
+         /*: Frames.Store.Publish */
          atomic {
             FS.Newest = FS.Newest || FS.Delivering;
             awaited = FS.Waits;
             FS.Waits = false;
-            Set_Event (Vision_Frame_Store_Changed);
+            Set_Event (Vision_Frames_Changed);
             Tell_If (awaited)
          }
       :: else ->
-         /*: Store.Store.Release */
+         /*: Frames.Store.Release */
          skip
       fi;
-      /*: Requests.Requests.Get_Wanted */
+      /*: State.Store.Get_Wanted */
       atomic {
          if
-         :: !(CR.Wanted && request == CR.Current) -> success = false; break
-         :: CR.Wanted && request == CR.Current && !success
-         :: CR.Wanted && request == CR.Current && success ->
+         :: !Is_Wanted (request) -> success = false; break
+         :: Is_Wanted (request) && !success
+         :: Is_Wanted (request) && success ->
             success = false; goto more
          fi
       };
@@ -593,10 +570,10 @@ more: skip
 close:
    /*: Vision.Library.Close */
    atomic { request = 0; Camera_Open = false };
-   /*: Requests.Requests.Released */
+   /*: State.Store.Released */
    atomic {
 #ifndef MUTANT_CAMERA_NOT_RELEASED
-      CR.Idle = true;
+      VS.Idle = true;
 #endif
       goto look
    }
@@ -619,8 +596,8 @@ active proctype Th_Server ()
    byte session;
    (Is_Awaited (Monitor_Session_Watch_Begins)
     && Is_Awaited (Monitor_Session_Receive_Begins)
-    && Is_Awaited (Vision_Camera_Requests_Asked)
-    && Is_Awaited (Vision_Camera_Requests_Images_Begin)
+    && Is_Awaited (Vision_State_Asked)
+    && Is_Awaited (Vision_State_Images_Begin)
     && Is_Awaited (Vision_Turns_Arena_Turn)
     && Is_Awaited (Vision_Turns_Control_Turn));
    do
@@ -725,10 +702,12 @@ active proctype Th_Com_Mon_Perdue ()
       Set_Event (Monitor_Outbox_Arena_Room);
 #endif
       /*: State.Store.Begin_Session */
-      atomic { VS.Stage = Closed; VS.First = First };
+      atomic {
 #ifndef MUTANT_CAMERA_LEFT_OPEN
-      Close_Camera_Request ();
+         VS.Stage = Closed;
 #endif
+         VS.First = First
+      };
 #ifndef MUTANT_SEARCH_OUTLIVES_SESSION
       End_Delivery ();
 #endif
@@ -736,11 +715,11 @@ active proctype Th_Com_Mon_Perdue ()
       /*: Turns.Line.Clear */
       atomic { do :: VT.Items ? _, _ :: len (VT.Items) == 0 -> break od };
       /* a camera that hangs is not waited for */
-      /*: Requests.Requests.Get_Idle */
+      /*: State.Store.Get_Idle */
       atomic {
-         ((CR.Idle && !CR.Pending) || Camera_Hangs);
+         ((VS.Idle && !VS.Pending) || Camera_Hangs);
          if
-         :: /*: delay, Requests.Requests.Get_Idle + */ skip
+         :: /*: delay, State.Store.Get_Idle + */ skip
          :: skip
          fi;
          In_Command = false;

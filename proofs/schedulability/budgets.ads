@@ -135,8 +135,7 @@ package Budgets with SPARK_Mode is
       Outbox_Take,
       Line_Operation,      --  Robot.Line
       Turn_Operation,      --  Vision.Turns, Missions.Requests
-      Vision_Operation,    --  Vision.State, Vision.Camera_Requests,
-                           --  Vision.Frame_Store, Vision.Sightings
+      Vision_Operation,    --  Vision.State, Vision.Frames
       Session_Operation,
       Journal_Operation);
 

@@ -72,7 +72,7 @@ package body Supervisor_Model with SPARK_Mode is
             when Outbox_Operation | Outbox_Take => Schedule.Outbox_Ceiling,
             when Line_Operation     => Schedule.Line_Ceiling,
             when Turn_Operation     => Schedule.Turn_Ceiling,
-            when Vision_Operation   => Schedule.Camera_Ceiling,
+            when Vision_Operation   => Schedule.Vision_Ceiling,
             when Session_Operation  => Schedule.Session_Ceiling,
             when Journal_Operation  => Schedule.Journal_Ceiling));
 

@@ -3,6 +3,7 @@
 --  from the others. Its urgency and the robot's frame follow from what it asks
 --  of the robot (Robot.Session, Robot.Requests).
 
+with Interfaces;
 with Missions;
 with Schedule; use Schedule;
 
@@ -250,9 +251,10 @@ package Commands with SPARK_Mode is
      (if Table (Name).Data in Pixel_Point | Pixel_Path then Missions.Pixels
       else Missions.Centimetres);
 
-   function Is_Single (Name : Mission_Command) return Boolean is
-     (Table (Name).Data in Pixel_Point | Arena_Point);
-   --  The path is one point
+   function Most_Points (Name : Mission_Command) return Missions.Point_Number
+   is (if Table (Name).Data in Pixel_Point | Arena_Point then 1
+       else Missions.Max_Points);
+   --  Of its path
 
    function Request_Of (C : Command) return Request is
      (if Takes_Number (C.Name) then
@@ -267,5 +269,27 @@ package Commands with SPARK_Mode is
    --  more. An opened line and a started robot stay as they are when they are
    --  opened and started again; a new start ends the mission, too, but with a
    --  stop of its own
+
+   --  On the way to the task that carries it out
+
+   type Ticket is new Interfaces.Unsigned_64;
+   --  The number of a command, counted from 1 over the whole run: unique
+   --  across sessions. 0: none
+
+   Capacity : constant := 256;
+   --  Commands that may wait for their answers (docs/wire.md, rule 2)
+
+   subtype Order_Count is Natural range 0 .. Capacity;
+
+   type Order is record
+      Number  : Ticket := 0;
+      Command : Commands.Command;
+      After   : Ticket := 0;
+      --  the last earlier order that changes the robot's session (opens,
+      --  closes, starts, resets), which is carried out first
+      Owed    : Boolean := False;
+      --  its answer is still due, or later commands wait for it: the task that
+      --  holds the order answers it or passes it on, once
+   end record;
 
 end Commands;

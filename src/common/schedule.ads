@@ -52,7 +52,7 @@ package Schedule with SPARK_Mode is
 
    --  The tasks, one row each, the highest priority first.
 
-   type Task_Name is
+   type Thread_Name is
      (Th_Stop,
       Th_Start_Robot_WD,
       Th_Move,
@@ -69,7 +69,10 @@ package Schedule with SPARK_Mode is
       Th_Capture_Img,
       Th_Arene,
       Th_Camera,
-      Th_Console);
+      Th_Console,
+      Main);  --  the main procedure, which is no task
+
+   subtype Task_Name is Thread_Name range Th_Stop .. Th_Console;
 
    type Row is record
       Name      : String (1 .. 17);
@@ -177,10 +180,8 @@ package Schedule with SPARK_Mode is
    Line_Ceiling    : constant Priority := Stop_Priority;
    Turn_Ceiling    : constant Priority := Lost_Priority;
    Mission_Ceiling : constant Priority := Receive_Priority;
-   Camera_Ceiling  : constant Priority := Stop_Priority;
-   Vision_Ceiling  : constant Priority := Lost_Priority;
+   Vision_Ceiling  : constant Priority := Stop_Priority;
    Frame_Ceiling   : constant Priority := Lost_Priority;
-   Sight_Ceiling   : constant Priority := Mission_Priority;
    Session_Ceiling : constant Priority := Stop_Priority;
    Journal_Ceiling : constant Priority := Priority'Last;
    --  the last-chance handler of a failed task also logs

@@ -1,9 +1,9 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
 
-with Admission.Authentication;
+with Admission;
 with Admission.Secret_Files;
 with Console;
-with Monitor.Sockets.Listener;
+with Monitor.Sockets;
 with Process.Privileges;
 with Robot.Serial_Line;
 with Texts;
@@ -126,7 +126,7 @@ package body Checks with SPARK_Mode is
       Result  : Vision.Library.Status;
       Why     : Vision.Library.Reason_Text;
       Last    : Natural;
-      Token   : Admission.Authentication.Token;
+      Token   : Admission.Token;
    begin
       All_Well := True;
       Check_Machine (All_Well);
@@ -176,7 +176,7 @@ package body Checks with SPARK_Mode is
             All_Well);
       end if;
 
-      Monitor.Sockets.Listener.Listen
+      Monitor.Sockets.Listen
         (Chosen.Bind, Chosen.Port, Bound, Good, Reason);
       Report
         (Good,

@@ -24,7 +24,6 @@ begin
       if Written then
          Process.Leave (Process.Success);
       end if;
-      Console.Put_Log ("destijl: standard output does not take it");
-      Process.Leave (Process.Cannot_Start);
+      Console.Cannot_Start ("standard output does not take it");
    end if;
 end Early_Answers;

@@ -3,6 +3,7 @@
 with Ada.Real_Time; use Ada.Real_Time;
 with Checks;
 with Command_Lines;
+with Commands;
 with Console;
 with Crashes;
 with Failures;
@@ -48,11 +49,10 @@ package body Supervisor with SPARK_Mode is
    begin
       Process.Threads.Keep_On (Chosen, Alone, Done);
       if not Done then
-         Texts.Set (Claim, "destijl: there is no processor ");
+         Texts.Set (Claim, "there is no processor ");
          Texts.Append (Claim, Chosen);
          Texts.Append (Claim, " for this process (--cpu)");
-         Console.Put_Log (Texts.Image (Claim));
-         Process.Leave (Process.Cannot_Start);
+         Console.Cannot_Start (Texts.Image (Claim));
       elsif Alone then
          Texts.Set (Claim, "as analysed for one processor");
       elsif Chosen = Options.No_Processor then
@@ -67,17 +67,13 @@ package body Supervisor with SPARK_Mode is
       --  Ends the process on failure
       Done   : Boolean;
       Reason : Texts.Text;
-      Text   : Texts.Text;
    begin
       if Path.Length > 0 then
          Trace.Open (Path, Done, Reason);
          if not Done then
-            Texts.Set (Text, "destijl: cannot use the trace file ");
-            Texts.Append (Text, Texts.Image (Path));
-            Texts.Append (Text, ": ");
-            Texts.Append (Text, Texts.Image (Reason));
-            Console.Put_Log (Texts.Image (Text));
-            Process.Leave (Process.Cannot_Start);
+            Console.Cannot_Start
+              ("cannot use the trace file " & Texts.Image (Path) & ": "
+               & Texts.Image (Reason));
          end if;
       end if;
    end Open_Trace;
@@ -94,8 +90,7 @@ package body Supervisor with SPARK_Mode is
          Process.Leave (Process.Success);
       end if;
       Vision.Library.Reason (Reason, Last);
-      Console.Put_Log ("destijl: no page of markers: " & Reason (1 .. Last));
-      Process.Leave (Process.Cannot_Start);
+      Console.Cannot_Start ("no page of markers: " & Reason (1 .. Last));
    end Print_Markers;
 
    procedure Run is
@@ -158,7 +153,7 @@ package body Supervisor with SPARK_Mode is
       Journal.Put (Options.Info, Report);
 
       Failures.Wait_Stop_Failed;
-      Robot.Line.Refuse_Orders;
+      Robot.Line.Begin_Session (Commands.Ticket'Last);
       --  meanwhile its last lines are written
       Now := Clock;
       delay until Now + Schedule.Console_Limit;

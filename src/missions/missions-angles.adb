@@ -60,7 +60,7 @@ package body Missions.Angles with SPARK_Mode is
       --  of one degree to the side is less
 
       Low  : Degree := 0;
-      High : Degree := 90;
+      --  the last whole degree that is not to the left of the vector
       Rest : Wide;
    begin
       if Y = 0 then
@@ -69,20 +69,9 @@ package body Missions.Angles with SPARK_Mode is
          return Quarter_Turn;
       end if;
 
-      --  The last whole degree that is not to the left of the vector
-
-      while High - Low > 1 loop
-         pragma Loop_Invariant (Low < High);
-         pragma Loop_Variant (Decreases => High - Low);
-         declare
-            Middle : constant Degree := (Low + High) / 2;
-         begin
-            if Side (Middle) >= 0 then
-               Low := Middle;
-            else
-               High := Middle;
-            end if;
-         end;
+      for K in Degree range 1 .. 89 loop
+         exit when Side (K) < 0;
+         Low := K;
       end loop;
 
       --  The rest is so small that it is its own tangent
@@ -101,8 +90,8 @@ package body Missions.Angles with SPARK_Mode is
         (Wide (X) * Cosine (Towards) + Wide (Y) * Sine (Towards)) / Million;
    begin
       return Micrometres
-        (Wide'Max (Wide (Micrometres'First),
-                   Wide'Min (Wide (Micrometres'Last), Sum)));
+        (Within
+           (Sum, Wide (Micrometres'First), Wide (Micrometres'Last)));
    end Along;
 
    function Cosine (Angle : Bearing) return Part is

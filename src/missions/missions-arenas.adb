@@ -4,7 +4,7 @@ with Missions.Angles;
 
 package body Missions.Arenas with SPARK_Mode is
 
-   use Vision.Shapes;
+   use Vision;
 
    --  What the rounding of the corners costs. The map is x = Width * u,
    --  y = Height * v. The gradient of u is
@@ -67,7 +67,7 @@ package body Missions.Arenas with SPARK_Mode is
 
    function Product_Of (A, B : Corner_Area) return Weight is (A * B);
 
-   function To_Point (P : Grid_Point) return Vision.Shapes.Point is
+   function To_Point (P : Grid_Point) return Vision.Point is
      ((Micro_Pixels (P.X * Unit_Size), Micro_Pixels (P.Y * Unit_Size)))
    with Post => Is_In_Image (To_Point'Result);
 
@@ -137,7 +137,7 @@ package body Missions.Arenas with SPARK_Mode is
 
    procedure Locate
      (M     : Map;
-      P     : Vision.Shapes.Point;
+      P     : Vision.Point;
       Where : out Place;
       Known : out Boolean)
    is
@@ -162,7 +162,7 @@ package body Missions.Arenas with SPARK_Mode is
 
    procedure Locate
      (M     : Map;
-      R     : Vision.Shapes.Robot;
+      R     : Vision.Robot;
       Where : out Pose;
       Known : out Boolean)
    is
@@ -182,7 +182,7 @@ package body Missions.Arenas with SPARK_Mode is
    end Locate;
 
    procedure Make
-     (Corners : Vision.Shapes.Arena_Corners;
+     (Corners : Vision.Arena_Corners;
       Size    : Arena_Size;
       M       : out Map;
       Usable  : out Boolean)
@@ -231,8 +231,8 @@ package body Missions.Arenas with SPARK_Mode is
          if P.Measure = Pixels then
             Locate
               (M,
-               (Vision.Shapes.Micro_Pixels (P.Points (K).X),
-                Vision.Shapes.Micro_Pixels (P.Points (K).Y)),
+               (Vision.Micro_Pixels (P.Points (K).X),
+                Vision.Micro_Pixels (P.Points (K).Y)),
                Places (K), Inside);
          else
             X := Rounded (P.Points (K).X);
@@ -247,7 +247,7 @@ package body Missions.Arenas with SPARK_Mode is
       end loop;
    end Targets;
 
-   function To_Grid (P : Vision.Shapes.Point) return Grid_Point is
+   function To_Grid (P : Vision.Point) return Grid_Point is
      (X => Rounded (P.X), Y => Rounded (P.Y));
 
 end Missions.Arenas;

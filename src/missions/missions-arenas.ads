@@ -3,7 +3,7 @@
 --  four corners confirmed by the user to those of a rectangle, in integers.
 
 with Missions.Guards;
-with Vision.Shapes;
+with Vision;
 
 package Missions.Arenas with SPARK_Mode, Pure is
 
@@ -36,9 +36,13 @@ package Missions.Arenas with SPARK_Mode, Pure is
    Unit_Size : constant := 62_500;
    --  A sixteenth, in millionths
 
-   function Is_In_Image (P : Vision.Shapes.Point) return Boolean;
+   function Is_In_Image (P : Vision.Point) return Boolean is
+     (Wide (P.X) in
+        Sixteenths'First * Unit_Size .. Sixteenths'Last * Unit_Size
+      and then Wide (P.Y) in
+        Sixteenths'First * Unit_Size .. Sixteenths'Last * Unit_Size);
 
-   function To_Grid (P : Vision.Shapes.Point) return Grid_Point
+   function To_Grid (P : Vision.Point) return Grid_Point
    with
      Pre  => Is_In_Image (P),
      Post => 2 * abs (To_Grid'Result.X * Unit_Size - Wide (P.X)) <= Unit_Size
@@ -48,7 +52,7 @@ package Missions.Arenas with SPARK_Mode, Pure is
 
    type Map is private;
 
-   function Corner_Of (M : Map; C : Vision.Shapes.Corner) return Grid_Point;
+   function Corner_Of (M : Map; C : Vision.Corner) return Grid_Point;
 
    function Is_Usable (M : Map) return Boolean;
    --  The corners form a convex quadrilateral, not mirrored, with sides of at
@@ -68,13 +72,13 @@ package Missions.Arenas with SPARK_Mode, Pure is
    --  y likewise. Both forms of w are linear, and equal because they are at
    --  the corners. So it is a projective map, and there is only one.
 
-   function X_Part (M : Map; P : Vision.Shapes.Point) return Numerator
+   function X_Part (M : Map; P : Vision.Point) return Numerator
    with Pre => Is_In_Image (P);
    --  tB tC DAP
-   function Y_Part (M : Map; P : Vision.Shapes.Point) return Numerator
+   function Y_Part (M : Map; P : Vision.Point) return Numerator
    with Pre => Is_In_Image (P);
    --  tA tB CDP
-   function Whole (M : Map; P : Vision.Shapes.Point) return Denominator
+   function Whole (M : Map; P : Vision.Point) return Denominator
    with Pre => Is_In_Image (P);
    --  w
 
@@ -107,7 +111,7 @@ package Missions.Arenas with SPARK_Mode, Pure is
    --  for 128 bits. So Q is less than a micrometre from Side * N / D
 
    procedure Make
-     (Corners : Vision.Shapes.Arena_Corners;
+     (Corners : Vision.Arena_Corners;
       Size    : Arena_Size;
       M       : out Map;
       Usable  : out Boolean)
@@ -115,7 +119,7 @@ package Missions.Arenas with SPARK_Mode, Pure is
      Post => Usable = Is_Usable (M)
        and then
          (if Usable then
-            (for all C in Vision.Shapes.Corner =>
+            (for all C in Vision.Corner =>
                Is_In_Image (Corners (C))
                and then Corner_Of (M, C) = To_Grid (Corners (C))))
        and then Width (M) = Micrometres (Size.Width) * 10_000
@@ -123,7 +127,7 @@ package Missions.Arenas with SPARK_Mode, Pure is
 
    procedure Locate
      (M     : Map;
-      P     : Vision.Shapes.Point;
+      P     : Vision.Point;
       Where : out Place;
       Known : out Boolean)
    with
@@ -144,7 +148,7 @@ package Missions.Arenas with SPARK_Mode, Pure is
 
    procedure Locate
      (M     : Map;
-      R     : Vision.Shapes.Robot;
+      R     : Vision.Robot;
       Where : out Pose;
       Known : out Boolean)
    with
@@ -169,13 +173,7 @@ package Missions.Arenas with SPARK_Mode, Pure is
 
 private
 
-   function Is_In_Image (P : Vision.Shapes.Point) return Boolean is
-     (Wide (P.X) in
-        Sixteenths'First * Unit_Size .. Sixteenths'Last * Unit_Size
-      and then Wide (P.Y) in
-        Sixteenths'First * Unit_Size .. Sixteenths'Last * Unit_Size);
-
-   type Grid_Corners is array (Vision.Shapes.Corner) of Grid_Point;
+   type Grid_Corners is array (Vision.Corner) of Grid_Point;
 
    type Map is record
       Corners                   : Grid_Corners;
@@ -185,7 +183,7 @@ private
       Usable                    : Boolean := False;
    end record;
 
-   function Corner_Of (M : Map; C : Vision.Shapes.Corner) return Grid_Point is
+   function Corner_Of (M : Map; C : Vision.Corner) return Grid_Point is
      (M.Corners (C));
 
    function Is_Usable (M : Map) return Boolean is (M.Usable);
@@ -214,7 +212,7 @@ private
      (Times (Q.X - P.X, R.Y - P.Y) - Times (Q.Y - P.Y, R.X - P.X));
    --  The area of the triangle, positive if it is clockwise in the image
 
-   function Twice (P, Q : Grid_Point; R : Vision.Shapes.Point)
+   function Twice (P, Q : Grid_Point; R : Vision.Point)
      return Fine_Area
    is (Times_Fine (Q.X - P.X, Wide (R.Y) - P.Y * Unit_Size)
        - Times_Fine (Q.Y - P.Y, Wide (R.X) - P.X * Unit_Size))
@@ -223,23 +221,23 @@ private
    function Weighted (By : Weight; Area : Fine_Area) return Numerator is
      (By * Area);
 
-   function X_Part (M : Map; P : Vision.Shapes.Point) return Numerator is
+   function X_Part (M : Map; P : Vision.Point) return Numerator is
      (Weighted
         (M.Left,
-         Twice (M.Corners (Vision.Shapes.Bottom_Left),
-                M.Corners (Vision.Shapes.Top_Left), P)));
+         Twice (M.Corners (Vision.Bottom_Left),
+                M.Corners (Vision.Top_Left), P)));
 
-   function Y_Part (M : Map; P : Vision.Shapes.Point) return Numerator is
+   function Y_Part (M : Map; P : Vision.Point) return Numerator is
      (Weighted
         (M.Below,
-         Twice (M.Corners (Vision.Shapes.Bottom_Right),
-                M.Corners (Vision.Shapes.Bottom_Left), P)));
+         Twice (M.Corners (Vision.Bottom_Right),
+                M.Corners (Vision.Bottom_Left), P)));
 
-   function Whole (M : Map; P : Vision.Shapes.Point) return Denominator is
+   function Whole (M : Map; P : Vision.Point) return Denominator is
      (X_Part (M, P)
       + Weighted
           (M.Right,
-           Twice (M.Corners (Vision.Shapes.Top_Right),
-                  M.Corners (Vision.Shapes.Bottom_Right), P)));
+           Twice (M.Corners (Vision.Top_Right),
+                  M.Corners (Vision.Bottom_Right), P)));
 
 end Missions.Arenas;

@@ -40,28 +40,6 @@ package body Missions.Grounds with SPARK_Mode is
       end if;
    end Check;
 
-   procedure Look
-     (Begun            : Ground;
-      G                : Ground;
-      Is_Over, By_Hand : Boolean;
-      Ends             : out Boolean;
-      Why              : out Abort_Reason) is
-   begin
-      Ends := True;
-      Why := Session_Over;
-      if Is_Over then
-         null;
-      elsif By_Hand then
-         Why := Missions.By_Hand;
-      elsif not Robot.Line_Status.Same_Run (G.Line, Begun.Line) then
-         Why := Robot_Stopped;
-      elsif not Stands (Begun, G) then
-         Why := Camera_Ended;
-      else
-         Ends := False;
-      end if;
-   end Look;
-
    function Since (Begun, At_Time : Time) return Microseconds is
       First : constant Time := Begun - Seconds (1);
       --  Lead before Begun
@@ -84,15 +62,14 @@ package body Missions.Grounds with SPARK_Mode is
      (Begun, Now : Time; Due : Microseconds) return Time
    is
       Present : constant Microseconds := Since (Begun, Now);
-      Left    : constant Microseconds :=
-        (if Due > Present then Due - Present else 0);
+      Left    : constant Microseconds := Microseconds'Min
+        (1_000_000, Microseconds'Max (Due, Present) - Present);
+      Span    : constant Time_Span :=
+        Ada.Real_Time.Microseconds (Integer (Left));
    begin
-      return Now +
-        (if Left >= 1_000_000 then Schedule.Mission_Period
-         elsif Ada.Real_Time.Microseconds (Integer (Left))
-           < Schedule.Mission_Period
-         then Ada.Real_Time.Microseconds (Integer (Left))
-         else Schedule.Mission_Period);
+      return Now
+        + (if Span < Schedule.Mission_Period then Span
+           else Schedule.Mission_Period);
    end Next_Time;
 
    function Seen_From (Begun : Time; Map : Missions.Arenas.Map; G : Ground)

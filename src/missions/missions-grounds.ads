@@ -9,7 +9,7 @@ with Robot.Line_Status;
 with Robot.Session;
 with Vision.Mode;
 with Vision.Following;
-with Vision.Shapes;
+with Vision;
 
 package Missions.Grounds with SPARK_Mode is
 
@@ -17,7 +17,7 @@ package Missions.Grounds with SPARK_Mode is
 
    use type Robot.Session.Mode_Kind;
    use type Vision.Mode.Stage_Kind;
-   use type Vision.Shapes.Arena_Corners;
+   use type Vision.Arena_Corners;
 
    type Ground is record
       Line : Robot.Line_Status.Status;
@@ -51,19 +51,7 @@ package Missions.Grounds with SPARK_Mode is
            and then G.View.Position_On
            and then G.View.Confirmed
            and then Has_Position (G)
-           and then Missions.Arenas.Is_Usable (Map)
-        else
-          (case Why is
-              when Robot_Not_Started   =>
-                G.Line.Mode = Robot.Session.Not_Started,
-              when Camera_Closed       =>
-                not Vision.Mode.Is_Open (G.View),
-              when Positions_Off       => not G.View.Position_On,
-              when Arena_Not_Confirmed =>
-                not G.View.Confirmed
-                or else not Vision.Mode.Images_Flow (G.View),
-              when Robot_Not_Seen      => not Has_Position (G),
-              when Arena_Too_Small | Point_Outside => True));
+           and then Missions.Arenas.Is_Usable (Map));
    --  Whether a mission to P may begin on G, or why not. Map is that of the
    --  arena, and Targets (1 .. P.Count) the places of the points
 
@@ -74,22 +62,17 @@ package Missions.Grounds with SPARK_Mode is
       and then G.View.Arena = Begun.View.Arena);
    --  Camera, positions and arena are still those of Begun
 
-   procedure Look
-     (Begun            : Ground;
-      G                : Ground;
-      Is_Over, By_Hand : Boolean;
-      Ends             : out Boolean;
-      Why              : out Abort_Reason)
-   with
-     Post => Ends =
-         (Is_Over
-          or else By_Hand
-          or else not Robot.Line_Status.Same_Run (G.Line, Begun.Line)
-          or else not Stands (Begun, G))
-       and then (if Is_Over then Why = Session_Over
-                 elsif By_Hand then Why = Missions.By_Hand);
-   --  Whether the mission that has begun on Begun must end, by G. Is_Over: its
-   --  session has ended. By_Hand: an order by hand has come after it
+   function Ended_By
+     (Begun, G : Ground; Is_Over, By_Hand : Boolean) return Ending
+   is (if Is_Over then Session_Over
+       elsif By_Hand then Missions.By_Hand
+       elsif not Robot.Line_Status.Same_Run (G.Line, Begun.Line)
+       then Robot_Stopped
+       elsif not Stands (Begun, G) then Camera_Ended
+       else Completed);
+   --  What ends the mission that has begun on Begun, by G; Completed: nothing
+   --  does. Is_Over: its session has ended. By_Hand: an order by hand has come
+   --  after it
 
    --  Times and places as Missions.Runs has them
 

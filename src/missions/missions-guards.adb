@@ -15,13 +15,9 @@ package body Missions.Guards with SPARK_Mode is
 
    function Is_Inside
      (From : Place; Towards : Bearing; Length : Some_Length;
-      Size : Arena_Size) return Boolean;
-   --  After Length in that direction
-
-   function Is_Inside
-     (From : Place; Towards : Bearing; Length : Some_Length;
       Size : Arena_Size) return Boolean
    is
+      --  After Length in that direction
       X : constant Micrometres :=
         Micrometres (Wide (Length) * Cosine (Towards) / Million);
       Y : constant Micrometres :=

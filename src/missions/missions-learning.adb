@@ -23,31 +23,30 @@ package body Missions.Learning with SPARK_Mode is
       function Quarter_Of (Number : Square) return Square is
         (Wide'Max (1, Number / 4));
 
-      function Mean_Of
-        (Known : Wide; W : Weight; Seen : Wide; Amount : Square) return Wide
-      is (Known + (Seen - Known) * Amount / (Wide (W) + Amount))
+      procedure Average
+        (Value     : in out Integer;
+         W         : in out Weight;
+         Low, High : Integer;
+         Seen      : Wide;
+         Amount    : Square;
+         Most      : Weight)
       with
-        Pre => Known in -100_000 .. 100_000
-          and then Seen in -100_000 .. 100_000;
-
-      procedure Add (W : in out Weight; Amount : Square; Most : Weight) is
-      begin
-         W := Weight (Wide'Min (Wide (Most), Wide (W) + Amount));
-      end Add;
-
-      procedure Learn_Gain
-        (G : in out Gain; W : in out Weight; Seen : Wide; Amount : Square;
-         Most : Weight)
+        Pre  => Low in -100_000 .. High
+          and then High <= 100_000
+          and then Value in Low .. High,
+        Post => Value in Low .. High
       is
-         Lowest  : constant Wide := Wide (Gain'First);
-         Highest : constant Wide := Wide (Gain'Last);
+         --  With what has been Seen, whose weight is Amount
+         Known : constant Wide := Wide (Value);
+         Gap   : constant Wide :=
+           Within (Seen, Wide (Low), Wide (High)) - Known;
       begin
-         G := Gain
+         Value := Integer
            (Within
-              (Mean_Of (Wide (G), W, Within (Seen, Lowest, Highest), Amount),
-               Lowest, Highest));
-         Add (W, Amount, Most);
-      end Learn_Gain;
+              (Known + Gap * Amount / (Wide (W) + Amount),
+               Wide (Low), Wide (High)));
+         W := Weight (Wide'Min (Wide (Most), Wide (W) + Amount));
+      end Average;
 
       Expected : constant Some_Turn := True_Turn (M.Turned, K.Turns);
       Length   : constant Micrometres := Way (M.From, Now);
@@ -59,8 +58,6 @@ package body Missions.Learning with SPARK_Mode is
       --  the heading at the beginning of the drive
       Error     : Bearing;
       Seen_Gain : Wide;
-      Pulled    : Wide;
-      Amount    : Square;
    begin
       if M.Driven = 0 then
          if M.Turned /= 0 then
@@ -68,8 +65,8 @@ package body Missions.Learning with SPARK_Mode is
             if Knows_Turn (K) and then abs Error > Surprise then
                K.Distrust := Distrusted;
             end if;
-            Learn_Gain
-              (K.Turns, K.Turn_Weight,
+            Average
+              (K.Turns, K.Turn_Weight, Gain'First, Gain'Last,
                Wide (Expected + Error) / (Wide (M.Turned) * 100),
                Square_Of (M.Turned), Most_Turn);
             if Knows_Turn (K) and then K.Distrust > 0 then
@@ -90,8 +87,9 @@ package body Missions.Learning with SPARK_Mode is
               (K.Way_Doubt * 15 / 16,
                Integer (abs (Seen_Gain - Wide (K.Drives))) * 250 / K.Drives));
       end if;
-      Learn_Gain
-        (K.Drives, K.Way_Weight, Seen_Gain, Square_Of (M.Driven), Most_Way);
+      Average
+        (K.Drives, K.Way_Weight, Gain'First, Gain'Last, Seen_Gain,
+         Square_Of (M.Driven), Most_Way);
 
       Before :=
         (if M.Turned = 0 then M.From.Heading
@@ -99,8 +97,8 @@ package body Missions.Learning with SPARK_Mode is
       Error :=
         Normal (Before - M.From.Heading - Normal (Expected));
       if M.Turned /= 0 then
-         Learn_Gain
-           (K.Turns, K.Turn_Weight,
+         Average
+           (K.Turns, K.Turn_Weight, Gain'First, Gain'Last,
             Wide (Expected + Error) / (Wide (M.Turned) * 100),
             Quarter_Of (Square_Of (M.Turned)), Most_Turn);
       end if;
@@ -111,18 +109,13 @@ package body Missions.Learning with SPARK_Mode is
          K.Distrust := Distrusted;
       end if;
 
-      Amount :=
-        (if M.Turned = 0 then Square_Of (M.Driven)
-         else Quarter_Of (Square_Of (M.Driven)));
-      Pulled := Within
-        (Wide (Difference (Before, Now.Heading)) * 1_000
+      Average
+        (K.Pulled, K.Pull_Weight, Pull'First, Pull'Last,
+         Wide (Difference (Before, Now.Heading)) * 1_000
          / Wide (if M.Driven < 0 then -Length else Length),
-         Wide (Pull'First), Wide (Pull'Last));
-      K.Pulled := Pull
-        (Within
-           (Mean_Of (Wide (K.Pulled), K.Pull_Weight, Pulled, Amount),
-            Wide (Pull'First), Wide (Pull'Last)));
-      Add (K.Pull_Weight, Amount, Most_Way);
+         (if M.Turned = 0 then Square_Of (M.Driven)
+          else Quarter_Of (Square_Of (M.Driven))),
+         Most_Way);
    end Learn;
 
    procedure Learn_Lag

@@ -5,11 +5,12 @@ with Trace;
 
 package body Missions.Requests with SPARK_Mode is
 
-   package Arrived is new Event;
+   package Arrived is new Event (Schedule.Th_Mission);
 
    protected body Place is
 
-      procedure Put (Item : Orders.Order; What : Path; Taken : out Boolean) is
+      procedure Put
+        (Item : Commands.Order; What : Path; Taken : out Boolean) is
       begin
          Taken := not Used;
          if Taken then
@@ -21,7 +22,7 @@ package body Missions.Requests with SPARK_Mode is
       end Put;
 
       procedure Take
-        (Item : in out Orders.Order; What : out Path; Found : out Boolean) is
+        (Item : in out Commands.Order; What : out Path; Found : out Boolean) is
       begin
          Found := Waits;
          What := Points;
@@ -38,28 +39,25 @@ package body Missions.Requests with SPARK_Mode is
 
    end Place;
 
-   procedure Put (Order : in out Orders.Order; What : Path) is
+   procedure Put (Order : in out Commands.Order; What : Path) is
       Taken : Boolean;
    begin
       Place.Put (Order, What, Taken);
       if Taken then
          Order.Owed := False;
-         Trace.Release (Schedule.Th_Mission, Order.Number);
-         Arrived.Set;
+         Arrived.Set (Order.Number);
       end if;
    end Put;
 
-   procedure Wait (Order : in out Orders.Order; What : out Path) is
+   procedure Wait (Order : in out Commands.Order; What : out Path) is
       Found : Boolean;
    begin
-      Trace.Done (Schedule.Th_Mission);
       loop
          Arrived.Wait;
          Place.Take (Order, What, Found);
          exit when Found;
-         Trace.Idle (Schedule.Th_Mission);
       end loop;
-      Trace.Start (Schedule.Th_Mission, Order.Number);
+      Trace.Put (Trace.Take, Schedule.Th_Mission, Order.Number);
       Order.Owed := True;
    end Wait;
 

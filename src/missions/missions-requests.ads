@@ -2,17 +2,17 @@
 --  The mission that the monitor has asked for, from th_receiveFromMon to
 --  th_mission. There is one at a time.
 
-with Orders;
+with Commands;
 with Schedule;
 
 package Missions.Requests with SPARK_Mode is
 
    protected Place with Priority => Schedule.Mission_Ceiling is
 
-      procedure Put (Item : Orders.Order; What : Path; Taken : out Boolean);
+      procedure Put (Item : Commands.Order; What : Path; Taken : out Boolean);
 
       procedure Take
-        (Item : in out Orders.Order; What : out Path; Found : out Boolean);
+        (Item : in out Commands.Order; What : out Path; Found : out Boolean);
 
       procedure Release;
       --  No mission is under way any more. For th_mission only
@@ -22,18 +22,18 @@ package Missions.Requests with SPARK_Mode is
       --  Wanted has not been taken
       Used    : Boolean := False;
       --  a mission waits or is under way
-      Wanted  : Orders.Order;
+      Wanted  : Commands.Order;
       Points  : Path;
    end Place;
 
-   procedure Put (Order : in out Orders.Order; What : Path)
+   procedure Put (Order : in out Commands.Order; What : Path)
    with
      Pre => Order.Owed,
      Annotate => (GNATprove, Terminating);
    --  A mission for th_mission, which answers Order then. Order stays Owed if
    --  another mission waits or is under way. For th_receiveFromMon
 
-   procedure Wait (Order : in out Orders.Order; What : out Path)
+   procedure Wait (Order : in out Commands.Order; What : out Path)
    with
      Pre  => not Order.Owed,
      Post => Order.Owed;

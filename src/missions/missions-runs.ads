@@ -3,7 +3,6 @@
 --  been told, the next order or none.
 
 with Commands;
-with Missions.Aims;     use Missions.Aims;
 with Missions.Angles;   use Missions.Angles;
 with Missions.Guards;   use Missions.Guards;
 with Missions.Learning; use Missions.Learning;
@@ -111,11 +110,7 @@ package Missions.Runs with SPARK_Mode is
       Targets : Place_Array;
       Count   : Point_Number;
       Now     : Microseconds)
-   with
-     Post => not Has_Ended (R)
-       and then Runs.Size (R) = Size
-       and then Leg (R) = 1
-       and then Legs (R) = Count;
+   with Post => not Has_Ended (R);
 
    procedure See (R : in out Run; What : Sighting)
    with Post => Is_Kept (R, R'Old);
@@ -161,7 +156,8 @@ package Missions.Runs with SPARK_Mode is
 
 private
 
-   Max_Images : constant := 8;
+   Enough_Images : constant := 2;
+   Max_Images    : constant := 8;
    subtype Image_Count is Natural range 0 .. Max_Images;
 
    type Phase_Kind is
@@ -171,6 +167,15 @@ private
 
    subtype Awaited_Kind is Action_Kind
    with Static_Predicate => Awaited_Kind in Nothing .. Stop;
+
+   type Movement_Kind is (Halt, Turn, Drive);
+
+   subtype Turn_Count is Natural range 0 .. 2;
+   --  Turns since the last drive; 2: or more
+
+   Upset_Way : constant := 15_000;
+   --  Micrometres from the mean place: more in a turn means that the robot was
+   --  moved
 
    Stop_Tries    : constant := 3;
    Refusal_Limit : constant := 3;
@@ -244,19 +249,19 @@ private
       Known       : Knowledge;
    end record;
 
-   --  For Missions.Runs.Looks too
+   --  For Missions.Runs.Aims too
 
-   function After (Time, Span : Microseconds) return Microseconds is
-     (if Time <= Microseconds'Last - Span then Time + Span
-      else Microseconds'Last);
+   function Is_As_Far (R, Before : Run) return Boolean is
+     (R.Leg = Before.Leg
+      and then R.Orders = Before.Orders
+      and then R.Seen_At = Before.Seen_At)
+   with Ghost;
 
    function Is_Same (R, Before : Run) return Boolean is
-     (R.Ended = Before.Ended
+     (Is_As_Far (R, Before)
+      and then R.Ended = Before.Ended
       and then R.Why = Before.Why
-      and then R.Leg = Before.Leg
-      and then R.Orders = Before.Orders
       and then R.Leg_End = Before.Leg_End
-      and then R.Seen_At = Before.Seen_At
       and then R.Size = Before.Size)
    with Ghost;
    --  Neither further nor ended
@@ -264,21 +269,29 @@ private
    procedure Finish (R : in out Run; Why : Ending)
    with
      Pre  => not R.Ended,
-     Post => R.Ended
-       and then R.Why = Why
-       and then R.Leg = R.Leg'Old
-       and then R.Orders = R.Orders'Old
-       and then R.Seen_At = R.Seen_At'Old;
+     Post => R.Ended and then R.Why = Why and then Is_As_Far (R, R'Old);
 
    procedure Finish_Amiss (R : in out Run; What : Movement_Kind)
    with
      Pre  => not R.Ended,
-     Post => R.Ended
-       and then R.Leg = R.Leg'Old
-       and then R.Orders = R.Orders'Old
-       and then R.Seen_At = R.Seen_At'Old;
+     Post => R.Ended and then Is_As_Far (R, R'Old);
    --  It goes so far amiss, as measured; Halt, or none measured: it does not
    --  go on
+
+   function Target (R : Run) return Near_Pose is
+     ((X       => Near_Of (R.Targets (R.Leg).X),
+       Y       => Near_Of (R.Targets (R.Leg).Y),
+       Heading => 0));
+
+   procedure Limit_Leg (R : in out Run; Now : Microseconds)
+   with
+     Post => R.Orders = Max_Orders
+       and then R.Ended = R.Ended'Old
+       and then R.Leg = R.Leg'Old
+       and then R.Legs = R.Legs'Old
+       and then R.Size = R.Size'Old
+       and then R.Seen_At = R.Seen_At'Old;
+   --  The leg begins now
 
    function Has_Ended (R : Run) return Boolean is (R.Ended);
 
@@ -289,6 +302,9 @@ private
    function Leg (R : Run) return Point_Number is (R.Leg);
 
    function Legs (R : Run) return Point_Number is (R.Legs);
+
+   function Distance (R : Run) return Micrometres is
+     (Way (R.Newest, Target (R)));
 
    function Size (R : Run) return Arena_Size is (R.Size);
 

@@ -5,14 +5,12 @@ with Journal;
 with Monitor.Outbox;
 with Monitor.Session;
 with Monitor.Sockets.Connection;
-with Monitor.Sockets.Listener;
 with Options;
 with Schedule;
 with Trace;
 
 package body Admission.Newcomers with SPARK_Mode is
 
-   use type Admission.Authentication.Verdict;
    use type Monitor.Session.Stage_Kind;
    use type Monitor.Sockets.Socket;
 
@@ -97,18 +95,18 @@ package body Admission.Newcomers with SPARK_Mode is
       Now     : constant Time := Clock;
       Length  : Natural;
       Open    : Boolean;
-      Verdict : Admission.Authentication.Verdict;
+      Verdict : Admission.Verdict;
    begin
       Monitor.Sockets.Gate.Read_Line
         (N.Line, N.Reader.Data (N.Reader.Length + 1 .. N.Reader.Data'Last),
          Length, Open);
       N.Reader.Length := N.Reader.Length + Length;
-      Verdict := Admission.Authentication.Decision (N.Reader, G.Token);
-      if Verdict = Admission.Authentication.Right then
+      Verdict := Decision (N.Reader, G.Token);
+      if Verdict = Right then
          N.State := Entitled;
       end if;
       G.Places (Where) := N;
-      if Verdict = Admission.Authentication.Wrong
+      if Verdict = Wrong
         or else (N.State = Asked
                  and then (not Open
                            or else Now - Schedule.Token_Limit >= N.Came))
@@ -124,7 +122,7 @@ package body Admission.Newcomers with SPARK_Mode is
       --  there is one. More: there may be another
       N : Newcomer;
    begin
-      Monitor.Sockets.Listener.Take_In (N.Line, N.From, N.Name);
+      Monitor.Sockets.Take_In (N.Line, N.From, N.Name);
       N.Came := Clock;
       G.Places (Where) := N;
       More := N.Line /= Monitor.Sockets.Nobody;
@@ -177,7 +175,6 @@ package body Admission.Newcomers with SPARK_Mode is
       Monitor.Sockets.Gate.Wait
         (Watched,
          Oldest (G, Asked) > 0 or else G.Refused > Schedule.Refusals_Logged);
-      Trace.Take_Up (Schedule.Th_Server);
       Count_Refusals (G);
       for P in Place loop
          pragma Loop_Invariant (Left > Place'Last - P);
@@ -203,7 +200,7 @@ package body Admission.Newcomers with SPARK_Mode is
       if G.Rest < Next then
          G.Rest := Next;
       end if;
-      Trace.Done (Schedule.Th_Server);
+      Trace.Put (Trace.Done, Schedule.Th_Server);
    end Serve;
 
 end Admission.Newcomers;

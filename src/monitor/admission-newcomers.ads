@@ -3,7 +3,6 @@
 --  its token, and whether another monitor is in command.
 
 with Ada.Real_Time;
-with Admission.Authentication;
 with Monitor.Sockets.Gate;
 with Networks;
 with Texts;
@@ -15,7 +14,7 @@ package Admission.Newcomers with SPARK_Mode is
 
    function New_Gate
      (Allowed : Networks.List;
-      Token   : Admission.Authentication.Token) return Gate;
+      Token   : Admission.Token) return Gate;
    --  No pending connection
 
    procedure Serve (G : in out Gate);
@@ -40,14 +39,14 @@ private
       From   : Networks.Host := (others => 0);
       Name   : Texts.Text;
       Came   : Ada.Real_Time.Time := Ada.Real_Time.Time_First;
-      Reader : Admission.Authentication.Reader;
+      Reader : Admission.Reader;
    end record;
 
    type Newcomer_Array is array (Place) of Newcomer;
 
    type Gate is record
       Allowed      : Networks.List;
-      Token        : Admission.Authentication.Token;
+      Token        : Admission.Token;
       Places       : Newcomer_Array;
       Rest         : Ada.Real_Time.Time := Ada.Real_Time.Time_First;
       --  the next turn does not begin before
@@ -61,13 +60,13 @@ private
         (if N.State /= Free then Networks.Admits (Allowed, N.From))
         and then
           (if N.State = Entitled and then Token.Length > 0 then
-              Admission.Authentication.Is_Right (N.Reader, Token)));
+              Is_Right (N.Reader, Token)));
    --  A connection is pending only if its address is allowed, and entitled
    --  only if it has also sent the right line where one is required
 
    function New_Gate
      (Allowed : Networks.List;
-      Token   : Admission.Authentication.Token) return Gate
+      Token   : Admission.Token) return Gate
    is (Allowed => Allowed, Token => Token, others => <>);
 
 end Admission.Newcomers;

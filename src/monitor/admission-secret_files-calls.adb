@@ -16,8 +16,8 @@ is
    procedure Read
      (Path   : String;
       Data   : in out String;
-      Mode   : out Admission.Authentication.File_Mode;
-      Owner  : out Admission.Authentication.User_Number;
+      Mode   : out File_Mode;
+      Owner  : out User_Number;
       Result : out Integer)
    is
       Status : File_Status := (others => 0);
@@ -35,7 +35,7 @@ is
          end if;
          Linux.Close (File);
       end if;
-      Mode := Admission.Authentication.File_Mode'Mod (Status (8));
+      Mode := File_Mode'Mod (Status (8));
       Owner := Status (6);
    end Read;
 

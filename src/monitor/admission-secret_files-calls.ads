@@ -13,8 +13,8 @@ is
    procedure Read
      (Path   : String;
       Data   : in out String;
-      Mode   : out Admission.Authentication.File_Mode;
-      Owner  : out Admission.Authentication.User_Number;
+      Mode   : out File_Mode;
+      Owner  : out User_Number;
       Result : out Integer)
    with
      Global => (In_Out => System_Files),

@@ -8,13 +8,11 @@ package body Admission.Secret_Files with
   Refined_State => (Files => Calls.System_Files)
 is
 
-   use Admission.Authentication;
-
    Credentials : constant String := "/run/credentials/";
 
    procedure Read_Token
      (Path   : Texts.Text;
-      Token  : out Admission.Authentication.Token;
+      Token  : out Admission.Token;
       Reason : out Texts.Text)
    is
       Data   : String (1 .. 256) := (others => ' ');

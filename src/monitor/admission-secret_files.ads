@@ -1,7 +1,6 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
 --  The file that holds the token (--token).
 
-with Admission.Authentication;
 with Texts;
 
 package Admission.Secret_Files with
@@ -13,7 +12,7 @@ is
 
    procedure Read_Token
      (Path   : Texts.Text;
-      Token  : out Admission.Authentication.Token;
+      Token  : out Admission.Token;
       Reason : out Texts.Text)
    with
      Global => (In_Out => Files),

@@ -7,7 +7,6 @@ with Texts;
 
 package Monitor.Link with SPARK_Mode is
 
-   use type Interfaces.Unsigned_32;
    use type Interfaces.Unsigned_64;
 
    type Milliseconds is range 0 .. 2 ** 62;
@@ -35,20 +34,11 @@ package Monitor.Link with SPARK_Mode is
    --  version decides how many it fills in: since 5.4 these; an emulated one
    --  may give 4.
 
-   function Is_Enough (Length : Natural) return Boolean is
-     (Length >= Needed_Bytes);
-   --  Length: bytes filled in by the kernel.
-
    type Seconds is range -2 ** 63 .. 2 ** 63 - 1;
 
    function Time_Of (Whole : Seconds; Rest : Integer) return Milliseconds is
      (Milliseconds (Seconds'Max (0, Seconds'Min (Whole, 2 ** 50))) * 1_000
-      + Milliseconds (Integer'Max (0, Integer'Min (Rest, 999))))
-   with
-     Post =>
-       (if Whole in 0 .. 2 ** 50 and then Rest in 0 .. 999 then
-           Time_Of'Result =
-             Milliseconds (Whole) * 1_000 + Milliseconds (Rest));
+      + Milliseconds (Integer'Max (0, Integer'Min (Rest, 999))));
    --  Whole seconds of a clock, and the milliseconds of the next one
 
    type Sample is record
@@ -120,7 +110,7 @@ package Monitor.Link with SPARK_Mode is
    function Sample_Of
      (Info : Tcp_Info; Length : Natural; Now : Milliseconds)
       return Sample
-   is (if Is_Enough (Length) then
+   is (if Length >= Needed_Bytes then
          (Now            => Now,
           Known          => True,
           Unacknowledged =>
@@ -136,25 +126,23 @@ package Monitor.Link with SPARK_Mode is
           Bytes_Acked    => Byte_Count
             (Info.Bytes_Acked and (2 ** 63 - 1)),
           others         => <>)
-       else (Now => Now, others => <>))
-   with
-     Post => Sample_Of'Result.Now = Now
-       and then Sample_Of'Result.Known = Is_Enough (Length)
-       and then
-         (if Sample_Of'Result.Known then
-             (Sample_Of'Result.Unacknowledged > 0) = (Info.Unacked > 0)
-             and then (Sample_Of'Result.Outstanding > 0)
-               = (Info.Unacked > 0 or else Info.Not_Sent > 0)
-             and then (Sample_Of'Result.Window > 0) = (Info.Window > 0)
-             and then Sample_Of'Result.Probes = Natural (Info.Probes));
+       else (Now => Now, others => <>));
    --  Length: bytes of Info that the kernel has filled in
 
-   type Verdict is
-     (Present,
-      Vanished,     --  no acknowledgements: the peer or the route is gone
-      Unreachable,  --  nothing can be sent: link, address or route is gone
-      Silent,       --  its program has been silent for too long
-      Stalled);     --  it acknowledges with a closed window: nobody reads
+   type Cause is
+     (Present,          --  none: the session continues
+      Vanished,         --  no acknowledgements: peer or route is gone
+      Unreachable,      --  nothing can be sent: link or address is gone, too
+      Silent,           --  its program has been silent for too long
+      Stalled,          --  it acknowledges with a closed window: nobody reads
+      No_Sign_Of_Life,  --  the last three as the kernel reports them
+      Reset_By_Peer,
+      Closed_By_Peer,
+      Supervisor_Stops);
+   --  Why a session ends
+
+   subtype Verdict is Cause range Present .. Stalled;
+   --  On a sample
 
    type State is record
       Watched_Since : Milliseconds := 0;
@@ -213,48 +201,32 @@ package Monitor.Link with SPARK_Mode is
       elsif Is_Stalled (S, X) then Stalled
       else Present);
 
-   procedure Start (S : out State; Now : Milliseconds)
-   with
-     Post => not S.Waiting
-       and then not S.Holding
-       and then S.Watched_Since = Now
-       and then S.Waiting_Since = Now
-       and then S.Holding_Since = Now
-       and then S.Acked = 0;
-   --  A connection has been admitted.
+   function Started (Now : Milliseconds) return State is
+     (Watched_Since | Waiting_Since | Holding_Since => Now, others => <>);
+   --  A connection has been admitted
 
-   procedure Judge (S : in out State; X : Sample; V : out Verdict)
-   with
-     Pre  => X.Known,
-     Post =>
-       S.Acked = X.Bytes_Acked
-       and then S.Watched_Since = S'Old.Watched_Since
-       and then S.Waiting = Is_Due (X)
-       and then S.Waiting_Since =
-         (if S'Old.Waiting and then S.Waiting
-            and then not Is_Progress (S'Old, X)
-          then S'Old.Waiting_Since
-          else X.Now)
-       and then S.Holding = (X.Outstanding > 0)
-       and then S.Holding_Since =
-         (if S'Old.Holding and then S.Holding
-            and then not Is_Progress (S'Old, X)
-          then S'Old.Holding_Since
-          else X.Now)
-       and then V = Verdict_On (S, X);
-   --  Evaluates one sample
+   function After (S : State; X : Sample) return State is
+     (Watched_Since => S.Watched_Since,
+      Waiting       => Is_Due (X),
+      Waiting_Since =>
+        (if S.Waiting and then Is_Due (X) and then not Is_Progress (S, X)
+         then S.Waiting_Since else X.Now),
+      Holding       => X.Outstanding > 0,
+      Holding_Since =>
+        (if S.Holding and then X.Outstanding > 0
+           and then not Is_Progress (S, X)
+         then S.Holding_Since else X.Now),
+      Acked         => X.Bytes_Acked);
+   --  With one sample more
 
-   --  Why a session ends
-
-   type Loss_Kind is (None, Closed_By_Peer, Reset_By_Peer, No_Sign_Of_Life);
-   --  As reported by the connection itself
+   --  What the connection itself reports
 
    Timed_Out : constant := 110;  --  ETIMEDOUT
    No_Route  : constant := 113;  --  EHOSTUNREACH
 
    function Loss_Of
-     (Ended : Boolean; Broken : Boolean; Error : Integer) return Loss_Kind
-   is (if not Ended then None
+     (Ended : Boolean; Broken : Boolean; Error : Integer) return Cause
+   is (if not Ended then Present
        elsif Error in Timed_Out | No_Route then No_Sign_Of_Life
        elsif Broken then Reset_By_Peer
        else Closed_By_Peer);
@@ -262,23 +234,10 @@ package Monitor.Link with SPARK_Mode is
    --  directions, or an error. Error: the error of the socket (SO_ERROR), 0 if
    --  there is none
 
-   type Cause is
-     (Nothing, Supervisor_Stops, Monitor_Vanished, Monitor_Unreachable,
-      Monitor_Silent, Monitor_Stalled, Silence, Connection_Reset,
-      Connection_Closed);
-
-   function Cause_Of (Stopping : Boolean; Loss : Loss_Kind; V : Verdict)
+   function Cause_Of (Stopping : Boolean; Loss : Cause; V : Verdict)
      return Cause
-   is (if Stopping then Supervisor_Stops
-       elsif Loss = Closed_By_Peer then Connection_Closed
-       elsif Loss = Reset_By_Peer then Connection_Reset
-       elsif Loss = No_Sign_Of_Life then Silence
-       elsif V = Vanished then Monitor_Vanished
-       elsif V = Unreachable then Monitor_Unreachable
-       elsif V = Silent then Monitor_Silent
-       elsif V = Stalled then Monitor_Stalled
-       else Nothing);
-   --  Nothing: the session continues
+   is (if Stopping then Supervisor_Stops elsif Loss /= Present then Loss
+       else V);
 
    procedure Append (Line : in out Texts.Text; Why : Cause);
    --  For the log, with the time limits above

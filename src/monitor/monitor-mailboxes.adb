@@ -2,124 +2,115 @@
 
 package body Monitor.Mailboxes with SPARK_Mode is
 
-   use type Text_Queues.Queue;
-
-   procedure Drop_Unsolicited (B : in out Mailbox)
+   procedure Skip_Nothing (Q : in out Answer_Queues.Queue)
    with
-     Post => Is_Quiet (B)
-       and then B.Open = B'Old.Open
-       and then B.Busy = B'Old.Busy
-       and then B.Answers = B'Old.Answers
-       and then B.Arena = B'Old.Arena
-       and then B.First = B'Old.First
-       and then B.Made = B'Old.Made
-       and then B.Last = B'Old.Last
-       and then B.Imaged = B'Old.Imaged
-   is
-   begin
-      Text_Queues.Clear (B.Texts);
-      B.Lines := (others => No_Line);
-      B.Image := False;
-      B.Held := (others => <>);
-   end Drop_Unsolicited;
-
-   function Is_Same_Mail (B, Before : Mailbox) return Boolean is
-     (B.Open = Before.Open
-      and then B.Busy = Before.Busy
-      and then B.Answers = Before.Answers
-      and then B.Arena = Before.Arena
-      and then B.First = Before.First
-      and then B.Texts = Before.Texts
-      and then B.Lines = Before.Lines
-      and then B.Image = Before.Image
-      and then B.Made = Before.Made
-      and then B.Last = Before.Last
-      and then B.Imaged = Before.Imaged)
-   with Ghost;
-   --  All components except the hold
-
-   procedure Begin_Hold
-     (B : in out Mailbox; New_Command : Boolean; Now : Time)
-   with
-     Post => Is_Same_Mail (B, B'Old)
-       and then B.Held.Released = B'Old.Held.Released
-   is
-      --  If a message waits because a command waits. New_Command: it has
-      --  arrived just now, and no other was waiting
-   begin
-      if Any_Unsolicited (Waits (B)) and then Commands (B) > 0 then
-         if not B.Held.On then
-            B.Held.First := Now;
-         end if;
-         if not B.Held.On or else New_Command then
-            B.Held.Since := Now;
-         end if;
-         B.Held.On := True;
-      end if;
-   end Begin_Hold;
-
-   procedure Close_Session (B : in out Mailbox; Next : out Orders.Ticket) is
-   begin
-      B.Open := False;
-      Clear (B.Answers);
-      Next := Next_Number (B);
-      B.Arena := False;
-      B.Made := B.Made + 1;
-      Drop_Unsolicited (B);
-   end Close_Session;
-
-   procedure End_Hold (B : in out Mailbox; Now : Time) is
-   begin
-      if B.Held.On and then Now >= Ending (B.Held) then
-         B.Held.Released := True;
-      end if;
-   end End_Hold;
-
-   procedure End_Quiet_Hold (B : in out Mailbox)
-   with
-     Post => Is_Same_Mail (B, B'Old)
+     Post => Answer_Queues.Length (Q) <= Answer_Queues.Length (Q'Old)
+       and then (for all Old in 1 .. Answer_Queues.Length (Q) =>
+                   At_Age (Q, Old) = At_Age (Q'Old, Old))
        and then
-         (if Any_Unsolicited (Waits (B)) then
-             B.Held.On = B'Old.Held.On
-             and then B.Held.Released = B'Old.Held.Released
-          else Is_Quiet (B))
+         (for all Old in Answer_Queues.Length (Q) + 1
+                      .. Answer_Queues.Length (Q'Old) =>
+            At_Age (Q'Old, Old).State = Ready_Nothing)
+       and then
+         (if Answer_Queues.Length (Q) > 0 then
+             Answer_Queues.Element_At (Q, 1).State /= Ready_Nothing)
    is
-      --  No hold unless a message is held back
+      --  Removes the places at the front that have nothing to send, no others
+      Before : constant Answer_Queues.Queue := Q with Ghost;
    begin
-      if not Any_Unsolicited (Waits (B)) then
-         B.Held := (others => <>);
+      while Answer_Queues.Length (Q) > 0
+        and then Answer_Queues.Element_At (Q, 1).State = Ready_Nothing
+      loop
+         Answer_Queues.Remove_First (Q);
+         pragma Loop_Variant (Decreases => Answer_Queues.Length (Q));
+         pragma Loop_Invariant
+           (Answer_Queues.Length (Q) < Answer_Queues.Length (Before));
+         pragma Loop_Invariant
+           (for all Old in 1 .. Answer_Queues.Length (Q) =>
+              At_Age (Q, Old) = At_Age (Before, Old));
+         pragma Loop_Invariant
+           (for all Old in Answer_Queues.Length (Q) + 1
+                        .. Answer_Queues.Length (Before) =>
+              At_Age (Before, Old).State = Ready_Nothing);
+      end loop;
+   end Skip_Nothing;
+
+   procedure Put
+     (B : in out Mailbox; Number : Commands.Ticket; Item : Answer_Place)
+   with
+     Pre  => Item.State /= Awaited,
+     Post => Is_Answered (B, B'Old, Number, Item)
+       and then B.Arena = B'Old.Arena
+   is
+   begin
+      if Is_Awaited (B, Number) then
+         Answer_Queues.Replace
+           (B.Answers, Pending (B) + 1 - Age_Of (B, Number), Item);
+         Skip_Nothing (B.Answers);
       end if;
-   end End_Quiet_Hold;
+   end Put;
+
+   function Hold_After
+     (B : Mailbox; New_Command : Boolean; Now : Time) return Hold is
+     (if not Any_Waits (B) or else Pending (B) = 0 then B.Held
+      else
+        (On       => True,
+         Released => B.Held.Released,
+         First    => (if B.Held.On then B.Held.First else Now),
+         Since    => (if B.Held.On and then not New_Command
+                      then B.Held.Since else Now)));
+   --  When something has come: a message is held back if a command waits.
+   --  New_Command: it has arrived just now, and no other was waiting
 
    procedure Open_Session (B : in out Mailbox) is
    begin
       B.Open := True;
-      B.First := Next_Number (B);
-      B.Last := Nothing;
-      B.Imaged := False;
-      Drop_Unsolicited (B);
+      B.First := B.Next;
    end Open_Session;
 
-   procedure Put
-     (B      : in out Mailbox;
-      Number : Orders.Ticket;
-      Item   : Monitor.Answer_Queues.Answer)
-   with
-     Pre  => Item.State /= Awaited,
-     Post => Next_Number (B) = Next_Number (B'Old)
-       and then Commands (B) <= Commands (B'Old)
-       and then B.Arena = B'Old.Arena
-       and then B.Lines = B'Old.Lines
-   is
+   procedure Close_Session (B : in out Mailbox) is
    begin
-      Put (B.Answers, Number, Item);
-      pragma Assert (not Is_Awaited (B, Number));
-      Skip_Nothing (B.Answers);
-   end Put;
+      B.Open := False;
+      Answer_Queues.Clear (B.Answers);
+      B.Arena := False;
+      Text_Queues.Clear (B.Texts);
+      B.Lines := (others => No_Line);
+      B.Image := False;
+      B.Made := B.Made + 1;
+      B.Held := (others => <>);
+      B.Last := Nothing;
+      B.Imaged := False;
+   end Close_Session;
+
+   procedure Reserve
+     (B      : in out Mailbox;
+      Now    : Time;
+      Number : out Commands.Ticket;
+      Result : out Reservation) is
+   begin
+      Number := B.Next;
+      if not B.Open then
+         Result := Closed;
+      elsif Is_Full (B) then
+         Result := Full;
+      else
+         Answer_Queues.Put (B.Answers, (others => <>));
+         B.Next := B.Next + 1;
+         B.Held := Hold_After (B, Pending (B) = 1, Now);
+         Result := Reserved;
+      end if;
+   end Reserve;
+
+   procedure Put_Answer
+     (B : in out Mailbox; Number : Commands.Ticket; Line : Short_Text) is
+   begin
+      Put (B, Number,
+           ((if Line.Length > 0 then Ready_Text else Ready_Nothing), Line));
+   end Put_Answer;
 
    procedure Put_Arena
      (B        : in out Mailbox;
-      Number   : Orders.Ticket;
+      Number   : Commands.Ticket;
       Accepted : out Boolean;
       Kept     : out Boolean)
    is
@@ -128,22 +119,15 @@ package body Monitor.Mailboxes with SPARK_Mode is
       Accepted := not Held or else not B.Arena;
       Kept := Held and then not B.Arena;
       if Kept then
-         Put (B, Number, (State => Ready_Image, others => <>));
+         Put (B, Number, (Ready_Image, No_Line));
          B.Arena := True;
       end if;
    end Put_Arena;
 
-   procedure Put_Answer
-     (B : in out Mailbox; Number : Orders.Ticket; Line : Short_Text) is
-   begin
-      Put (B, Number,
-           ((if Line.Length > 0 then Ready_Text else Ready_Nothing), Line));
-   end Put_Answer;
-
    procedure Put (B : in out Mailbox; Item : Notice; Now : Time) is
    begin
       if Is_Wanted (B, Item) then
-         if Item.Kind = User_Text then
+         if Item.Kind = Text then
             Text_Queues.Put_Over_Oldest (B.Texts, Item.Line);
          else
             B.Lines (Item.Kind) := Item.Line;
@@ -151,7 +135,7 @@ package body Monitor.Mailboxes with SPARK_Mode is
          if Item.Kind = Ending then
             B.Lines (Progress) := No_Line;
          end if;
-         Begin_Hold (B, False, Now);
+         B.Held := Hold_After (B, False, Now);
       end if;
    end Put;
 
@@ -164,34 +148,18 @@ package body Monitor.Mailboxes with SPARK_Mode is
       Kept := B.Open and then Made = B.Made;
       if Kept then
          B.Image := True;
-         Begin_Hold (B, False, Now);
+         B.Held := Hold_After (B, False, Now);
       end if;
    end Put_Image;
-
-   procedure Reserve
-     (B      : in out Mailbox;
-      Now    : Time;
-      Number : out Orders.Ticket;
-      Result : out Reservation) is
-   begin
-      Number := Next_Number (B);
-      if not B.Open then
-         Result := Closed;
-      elsif Is_Full (B) then
-         Result := Full;
-      else
-         Reserve (B.Answers);
-         Result := Reserved;
-         Begin_Hold (B, Commands (B) = 1, Now);
-      end if;
-   end Reserve;
 
    procedure Stop_Images (B : in out Mailbox) is
    begin
       B.Made := B.Made + 1;
       B.Image := False;
-      B.Lines (Place) := No_Line;
-      End_Quiet_Hold (B);
+      B.Lines (Position) := No_Line;
+      if not Any_Waits (B) then
+         B.Held := (others => <>);
+      end if;
    end Stop_Images;
 
    procedure Take
@@ -200,16 +168,14 @@ package body Monitor.Mailboxes with SPARK_Mode is
       Now       : Time;
       Last_Sent : Time;
       Next      : out Item;
-      Gap       : out Milliseconds;
       Left      : out Boolean)
    is
-      Chosen : constant Choice := Monitor.Send_Order.Next (Waits (B));
-      Kind   : Newest_Kind;
+      Chosen : constant Choice := Mailboxes.Next (B);
    begin
       Next := (others => <>);
       Left := B.Busy and then not B.Open;
-      Gap := Due (B, Between);
-      if Now >= Last_Sent + Ada.Real_Time.Milliseconds (Gap) then
+      Next.Gap := Gap (B, Chosen, Between);
+      if Now >= Last_Sent + Ada.Real_Time.Milliseconds (Next.Gap) then
          Next.Kind := Chosen;
       end if;
       B.Busy := Next.Kind /= Nothing;
@@ -220,7 +186,7 @@ package body Monitor.Mailboxes with SPARK_Mode is
          when Answer     =>
             Next.Is_Image := First (B).State = Ready_Image;
             Next.Line := First (B).Line;
-            Remove_First (B.Answers);
+            Answer_Queues.Remove_First (B.Answers);
             Skip_Nothing (B.Answers);
             if Next.Is_Image then
                B.Arena := False;
@@ -228,25 +194,31 @@ package body Monitor.Mailboxes with SPARK_Mode is
          when Text       =>
             Next.Line := Text_Queues.Element_At (B.Texts, 1);
             Text_Queues.Remove_First (B.Texts);
-         when Robot_Lost | Mission | Battery | Position =>
-            Kind := Kind_Of (B, Next.Kind);
-            Next.Line := B.Lines (Kind);
-            B.Lines (Kind) := No_Line;
-            if Kind = Place then
-               B.Imaged := False;
-            end if;
          when Image      =>
             Next.Is_Image := True;
             B.Image := False;
             B.Imaged := True;
+         when others     =>
+            Next.Line := B.Lines (Next.Kind);
+            B.Lines (Next.Kind) := No_Line;
+            B.Imaged := B.Imaged and then Next.Kind /= Position;
       end case;
       if Next.Kind /= Nothing then
          B.Last := Next.Kind;
       end if;
-      if Next.Kind in Unsolicited and then Commands (B) = 0 then
+      if not Any_Waits (B)
+        or else (Next.Kind in Unsolicited and then Pending (B) = 0)
+      then
          B.Held := (others => <>);
       end if;
-      End_Quiet_Hold (B);
+      Next.Hold_End := Hold_End (B);
    end Take;
+
+   procedure End_Hold (B : in out Mailbox; Now : Time) is
+   begin
+      if B.Held.On and then Now >= End_Of (B.Held) then
+         B.Held.Released := True;
+      end if;
+   end End_Hold;
 
 end Monitor.Mailboxes;

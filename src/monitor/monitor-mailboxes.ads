@@ -1,15 +1,15 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  What waits to be sent to the monitor, and its order: one answer per
---  command, in the order of the commands; and unsolicited messages, only the
---  newest of each kind, except texts. Images are stored elsewhere.
+--  What waits to be sent to the monitor, and what is sent next (docs/wire.md,
+--  rules 1 and 7): one answer per command, in the order of the commands,
+--  before unsolicited messages; of these only the newest of each kind, except
+--  texts. The images themselves are in Monitor.Outbox.
 
 with Ada.Real_Time;
 with Bounded_Queues;
-with Monitor.Answer_Queues;
+with Commands;
 with Monitor.Notices;
-with Monitor.Protocol;   use Monitor.Protocol;
-with Monitor.Send_Order; use Monitor.Send_Order;
-with Orders;
+with Monitor.Protocol; use Monitor.Protocol;
+with Options;
 with Schedule;
 
 package Monitor.Mailboxes with SPARK_Mode is
@@ -18,38 +18,61 @@ package Monitor.Mailboxes with SPARK_Mode is
 
    use type Ada.Real_Time.Time;
    use type Ada.Real_Time.Time_Span;
-   use all type Monitor.Answer_Queues.Queue;
-   use all type Monitor.Answer_Queues.State_Kind;
-   use type Orders.Ticket;
+   use type Commands.Ticket;
 
    subtype Time is Ada.Real_Time.Time;
+   subtype Milliseconds is Options.Milliseconds;
+
+   type Choice is
+     (Nothing,
+      Answer,        --  to a command
+      Lost,          --  the robot (F9): the unsolicited ones, by urgency
+      Text,
+      Ending,        --  of a mission
+      Progress,      --  of a mission
+      Battery,
+      Position,      --  of the robot in an image
+      Image);        --  alternates with Position: they belong together
+   --  What is sent next
+
+   subtype Unsolicited is Choice range Lost .. Image;
+   subtype Notice_Kind is Choice range Lost .. Position;
 
    type Generation is mod 2 ** 32;
    --  Of periodic images: an image of an older generation is not sent
 
-   type Notice_Kind is (User_Text, Lost, Progress, Ending, Level, Place);
-   --  Of the robot: lost (F9), the battery's level, its place in an image. Of
-   --  a mission: progress and end
-
-   subtype Newest_Kind is Notice_Kind range Lost .. Place;
-   --  A newer one replaces one that still waits
-
    type Notice is record
-      Kind   : Notice_Kind := User_Text;
+      Kind   : Notice_Kind := Text;
       Line   : Short_Text;
-      Number : Orders.Ticket := 0;
+      Number : Commands.Ticket := 0;
       --  of Progress and Ending: the command that asked for the mission
       Made   : Generation := 0;
-      --  of Place: that of its image
+      --  of Position: that of its image
    end record;
    --  An unsolicited message without an image
 
    function Told (Item : Monitor.Notices.Notice) return Notice is
-     ((User_Text, Monitor.Notices.Line_Of (Item), others => <>));
+     ((Text, Monitor.Notices.Line_Of (Item), others => <>));
 
-   type Line_Array is array (Newest_Kind) of Short_Text;
+   type Answer_State is
+     (Awaited,         --  not answered yet
+      Ready_Text,
+      Ready_Image,
+      Ready_Nothing);  --  there is nothing to send
+
+   type Answer_Place is record
+      State : Answer_State := Awaited;
+      Line  : Short_Text;
+      --  of Ready_Text
+   end record;
+   --  Of the answer to a command, from the arrival of the command
+
+   package Answer_Queues is new Bounded_Queues
+     (Answer_Place, Commands.Capacity);
 
    package Text_Queues is new Bounded_Queues (Short_Text, 8);
+
+   type Line_Array is array (Notice_Kind) of Short_Text;
 
    type Hold is record
       On       : Boolean := False;
@@ -63,7 +86,7 @@ package Monitor.Mailboxes with SPARK_Mode is
    end record;
    --  While commands wait for their answers (docs/wire.md, rule 7)
 
-   function Ending (H : Hold) return Time is
+   function End_Of (H : Hold) return Time is
      (if H.Since - H.First > Schedule.Hold_Limit
       then H.First + Schedule.Hold_Limit + Schedule.Hold_Limit
       else H.Since + Schedule.Hold_Limit)
@@ -73,24 +96,26 @@ package Monitor.Mailboxes with SPARK_Mode is
    --  the limit
 
    type Mailbox is record
-      Open     : Boolean := False;
+      Open    : Boolean := False;
       --  a monitor is in command
-      Busy     : Boolean := False;
+      Busy    : Boolean := False;
       --  the message taken last is being sent
-      Answers  : Monitor.Answer_Queues.Queue;
-      Arena    : Boolean := False;
-      --  the image that answers an arena request waits
-      First    : Orders.Ticket := 0;
+      Answers : Answer_Queues.Queue;
+      Next    : Commands.Ticket := 1;
+      --  the number of the next command: those before have the last places
+      First   : Commands.Ticket := 0;
       --  no command of this session has a lower number
-      Texts    : Text_Queues.Queue;
-      Lines    : Line_Array;
-      --  No_Line: none waits
-      Image    : Boolean := False;
-      Made     : Generation := 0;
-      Held     : Hold;
-      Last     : Choice := Nothing;
+      Arena   : Boolean := False;
+      --  the image that answers an arena request waits
+      Texts   : Text_Queues.Queue;
+      Lines   : Line_Array;
+      --  the other notices; No_Line: none waits
+      Image   : Boolean := False;
+      Made    : Generation := 0;
+      Held    : Hold;
+      Last    : Choice := Nothing;
       --  the choice taken last in this session
-      Imaged   : Boolean := False;
+      Imaged  : Boolean := False;
       --  an image has been taken since the last position
    end record;
 
@@ -102,83 +127,156 @@ package Monitor.Mailboxes with SPARK_Mode is
       --  of Answer and Image: the message contains an image
       Line     : Short_Text;
       --  without an image
+      Gap      : Milliseconds := 0;
+      --  minimum time from the last message to the most urgent one
+      Hold_End : Time := Ada.Real_Time.Time_Last;
+      --  until then unsolicited messages are held back (docs/wire.md, rule 7);
+      --  Time_Last: they are not
    end record;
-   --  The message to send next
+   --  The message to send next, and when to look again
 
-   function Commands (B : Mailbox) return Orders.Order_Count is
-     (Length (B.Answers));
-   --  Commands that wait for their answers
+   --  The commands that wait for their answers
+
+   function Pending (B : Mailbox) return Commands.Order_Count is
+     (Answer_Queues.Length (B.Answers));
 
    function Is_Full (B : Mailbox) return Boolean is
-     (Commands (B) = Orders.Capacity);
+     (Pending (B) = Commands.Capacity);
 
-   function Next_Number (B : Mailbox) return Orders.Ticket is
-     (Next_Number (B.Answers));
-   --  The number of the next command
-
-   function Holds (B : Mailbox; Number : Orders.Ticket) return Boolean is
-     (Holds (B.Answers, Number));
-   --  The command has a place in the queue
-
-   function Is_Awaited (B : Mailbox; Number : Orders.Ticket) return Boolean
-   is (Is_Awaited (B.Answers, Number));
+   function Holds (B : Mailbox; Number : Commands.Ticket) return Boolean is
+     (B.Next - Number in 1 .. Commands.Ticket (Pending (B)));
    --  The command waits for its answer
 
-   function First (B : Mailbox) return Monitor.Answer_Queues.Answer is
-     (First_Answer (B.Answers))
-   with Pre => Commands (B) > 0;
+   subtype Age is Answer_Queues.Place;
+   --  Of a command that waits; 1: the newest
+
+   function Age_Of (B : Mailbox; Number : Commands.Ticket) return Age is
+     (Age (B.Next - Number))
+   with
+     Pre  => Holds (B, Number),
+     Post => Age_Of'Result <= Pending (B);
+
+   function At_Age
+     (Q : Answer_Queues.Queue; Old : Age) return Answer_Place is
+     (Answer_Queues.Element_At (Q, Answer_Queues.Length (Q) + 1 - Old))
+   with Pre => Old <= Answer_Queues.Length (Q);
+
+   function Is_Awaited (B : Mailbox; Number : Commands.Ticket) return Boolean
+   is (Holds (B, Number)
+       and then At_Age (B.Answers, Age_Of (B, Number)).State = Awaited);
+
+   function First (B : Mailbox) return Answer_Place is
+     (Answer_Queues.Element_At (B.Answers, 1))
+   with Pre => Pending (B) > 0;
    --  The next answer to be sent, which may not be available yet
 
-   function Is_Waiting (B : Mailbox; Kind : Newest_Kind) return Boolean is
-     (B.Lines (Kind).Length > 0);
+   function Is_Ready (B : Mailbox) return Boolean is
+     (Pending (B) > 0 and then First (B).State /= Awaited);
+   --  It is available
+
+   --  The unsolicited messages that wait
+
+   function Waits (B : Mailbox; Kind : Unsolicited) return Boolean is
+     (case Kind is
+         when Text   => Text_Queues.Length (B.Texts) > 0,
+         when Image  => B.Image,
+         when others => B.Lines (Kind).Length > 0);
+
+   function Any_Waits (B : Mailbox) return Boolean is
+     (for some Kind in Unsolicited => Waits (B, Kind));
 
    function Is_Wanted (B : Mailbox; Item : Notice) return Boolean is
      (B.Open
       and then
         (case Item.Kind is
-            when Progress =>
-              Item.Number >= B.First and then not Is_Waiting (B, Ending),
+            when Progress => Item.Number >= B.First
+                             and then not Waits (B, Ending),
             when Ending   => Item.Number >= B.First,
-            when Place    => Item.Made = B.Made,
+            when Position => Item.Made = B.Made,
             when others   => True));
    --  Not without a session, nor from an earlier one or of an image of
    --  another generation; and no progress after the end
 
-   function Kind_Of (B : Mailbox; Chosen : Unsolicited) return Newest_Kind is
-     (case Chosen is
-         when Robot_Lost => Lost,
-         when Mission    =>
-           (if Is_Waiting (B, Ending) then Ending else Progress),
-         when Battery    => Level,
-         when others     => Place);
+   --  What is next
 
-   function Waits (B : Mailbox) return Waiting is
-     ((Open     => B.Open,
-       Commands => Commands (B) > 0,
-       Ready    => First_Is_Ready (B.Answers),
-       Messages =>
-         (Robot_Lost => Is_Waiting (B, Lost),
-          Text       => Text_Queues.Length (B.Texts) > 0,
-          Mission    =>
-            Is_Waiting (B, Ending) or else Is_Waiting (B, Progress),
-          Battery    => Is_Waiting (B, Level),
-          Position   => Is_Waiting (B, Place),
-          Image      => B.Image),
-       Released => B.Held.Released,
-       Last     => B.Last,
-       Imaged   => B.Imaged))
-   with Post => (if Waits'Result.Ready then Waits'Result.Commands);
+   function First_Unsolicited (B : Mailbox) return Unsolicited is
+     (if Waits (B, Lost) then Lost
+      elsif Waits (B, Text) then Text
+      elsif Waits (B, Ending) then Ending
+      elsif Waits (B, Progress) then Progress
+      elsif Waits (B, Battery) then Battery
+      elsif Waits (B, Position) and then (B.Imaged or else not B.Image)
+      then Position
+      else Image)
+   with
+     Pre  => Any_Waits (B),
+     Post => Waits (B, First_Unsolicited'Result)
+       and then (for all Kind in Lost .. Battery =>
+                   (if Kind < First_Unsolicited'Result
+                    then not Waits (B, Kind)))
+       and then
+         (if Waits (B, Position) and then B.Image then
+            First_Unsolicited'Result /=
+              (if B.Imaged then Image else Position));
 
-   function Is_Quiet (B : Mailbox) return Boolean is
-     (not Any_Unsolicited (Waits (B))
-      and then not B.Held.On
-      and then not B.Held.Released);
-   --  No unsolicited message waits, and nothing is held back
+   function Next (B : Mailbox) return Choice is
+     (if not B.Open then Nothing
+      elsif Is_Ready (B)
+        and then not (Any_Waits (B) and then B.Held.Released
+                      and then B.Last = Answer)
+      then Answer
+      elsif Any_Waits (B)
+        and then (Pending (B) = 0 or else B.Held.Released)
+      then First_Unsolicited (B)
+      else Nothing)
+   with
+     Post =>
+       --  only what waits, and only in a session
+       (case Next'Result is
+           when Nothing     => True,
+           when Answer      => B.Open and then Is_Ready (B),
+           when Unsolicited => B.Open and then Waits (B, Next'Result))
+
+       --  an answer precedes unsolicited messages, unless these have been held
+       --  back for long enough; then the two alternate
+       and then
+         (if B.Open and then Is_Ready (B) then
+            (Next'Result = Answer) =
+              (not B.Held.Released or else B.Last /= Answer
+               or else not Any_Waits (B)))
+
+       --  unsolicited messages are held back while an answer is awaited, for a
+       --  limited time
+       and then
+         (if B.Open and then Any_Waits (B) and then not Is_Ready (B) then
+            (Next'Result /= Nothing) =
+              (Pending (B) = 0 or else B.Held.Released));
+
+   Answer_Gap : constant Milliseconds := 4;
+   --  at most, before an answer (docs/wire.md)
+
+   function Gap
+     (B : Mailbox; Sent : Choice; Between : Milliseconds) return Milliseconds
+   is
+     (if B.Last = Nothing or else Sent = Nothing
+        or else (B.Last = Answer and then Sent = Answer)
+      then 0
+      elsif Sent = Answer or else (B.Last = Answer and then B.Held.Released)
+      then Milliseconds'Min (Between, Answer_Gap)
+      else Between);
+   --  Minimum time from the last message to Sent; Between is the gap between
+   --  two unsolicited messages. It also applies after an answer, as the
+   --  monitor takes time to process one. An endless sequence of answers does
+   --  not block unsolicited messages
+
+   function Hold_End (B : Mailbox) return Time is
+     (if B.Held.On and then not B.Held.Released then End_Of (B.Held)
+      else Ada.Real_Time.Time_Last);
 
    type Status is record
       Busy      : Boolean;
       --  the sender uses the connection
-      Commands  : Orders.Order_Count;
+      Pending   : Commands.Order_Count;
       --  that wait for their answers
       End_Waits : Boolean;
       --  the end of a mission has not been sent yet
@@ -187,31 +285,25 @@ package Monitor.Mailboxes with SPARK_Mode is
    end record;
 
    function Status_Of (B : Mailbox) return Status is
-     ((B.Busy, Commands (B), Is_Waiting (B, Ending), B.Made));
+     ((B.Busy, Pending (B), Waits (B, Ending), B.Made));
 
    --  The session
 
    procedure Open_Session (B : in out Mailbox)
-   with
-     Post => B.Open
-       and then Is_Quiet (B)
-       and then B.Last = Nothing
-       and then not B.Imaged
-       and then B.Answers = B'Old.Answers
-       and then B.First = Next_Number (B);
-   --  A monitor has been admitted
+   with Post => B.Open and then B.First = B.Next;
+   --  A monitor has been admitted. The box is empty: without a session nothing
+   --  is put into it
 
-   procedure Close_Session (B : in out Mailbox; Next : out Orders.Ticket)
+   procedure Close_Session (B : in out Mailbox)
    with
      Post => not B.Open
-       and then Is_Quiet (B)
-       and then Commands (B) = 0
-       and then not B.Arena
+       and then not Any_Waits (B)
+       and then not B.Held.On
+       and then not B.Held.Released
+       and then Pending (B) = 0
        and then B.Made = B'Old.Made + 1
-       and then B.Busy = B'Old.Busy
-       and then Next = Next_Number (B'Old)
-       and then Next_Number (B) = Next;
-   --  Empties the box. All earlier commands have numbers below Next
+       and then B.Next = B'Old.Next;
+   --  Empties the box. All earlier commands have numbers below B.Next
 
    --  The answers
 
@@ -220,45 +312,63 @@ package Monitor.Mailboxes with SPARK_Mode is
    procedure Reserve
      (B      : in out Mailbox;
       Now    : Time;
-      Number : out Orders.Ticket;
+      Number : out Commands.Ticket;
       Result : out Reservation)
    with
-     Post => Number = Next_Number (B'Old)
+     Post => Number = B'Old.Next
        and then Result =
          (if not B.Open then Closed
           elsif Is_Full (B'Old) then Full
           else Reserved)
        and then B.Open = B'Old.Open
        and then B.Lines = B'Old.Lines
+       and then B.Next = Number + (if Result = Reserved then 1 else 0)
        and then
          (if Result = Reserved then
-             Commands (B) = Commands (B'Old) + 1
-             and then Next_Number (B) = Number + 1
-          else B.Answers = B'Old.Answers);
+             Answer_Queues.Begins_With (B.Answers, B'Old.Answers)
+             and then Pending (B) = Pending (B'Old) + 1
+             and then Is_Awaited (B, Number));
    --  Adds a place for the answer to the next command
 
+   function Is_Answered
+     (B, Before : Mailbox; Number : Commands.Ticket; By : Answer_Place)
+      return Boolean
+   is
+     (B.Next = Before.Next
+      and then Pending (B) <= Pending (Before)
+      and then
+        (for all Old in 1 .. Pending (B) =>
+           At_Age (B.Answers, Old) =
+             (if Is_Awaited (Before, Number)
+                and then Old = Age_Of (Before, Number)
+              then By
+              else At_Age (Before.Answers, Old)))
+      and then B.Lines = Before.Lines)
+   with Ghost;
+   --  The command has the answer By, if it had none. All others have the same
+   --  as Before; those at the front that have nothing to send are gone
+
    procedure Put_Answer
-     (B : in out Mailbox; Number : Orders.Ticket; Line : Short_Text)
+     (B : in out Mailbox; Number : Commands.Ticket; Line : Short_Text)
    with
-     Post => Next_Number (B) = Next_Number (B'Old)
-       and then Commands (B) <= Commands (B'Old)
-       and then B.Arena = B'Old.Arena
-       and then B.Lines = B'Old.Lines;
-   --  The answer to a command; no effect if its session has ended. No_Line: it
-   --  needs none, but later ones may wait for it
+     Post => Is_Answered
+       (B, B'Old, Number,
+        ((if Line.Length > 0 then Ready_Text else Ready_Nothing), Line));
+   --  The answer to a command; no effect if it has one already, or its session
+   --  has ended. No_Line: it needs none, but later ones may wait for it
 
    procedure Put_Arena
      (B        : in out Mailbox;
-      Number   : Orders.Ticket;
+      Number   : Commands.Ticket;
       Accepted : out Boolean;
       Kept     : out Boolean)
    with
-     Post => Accepted =
-         (not Holds (B'Old, Number) or else not B'Old.Arena)
-       and then Kept =
-         (Holds (B'Old, Number) and then not B'Old.Arena)
+     Post => Accepted = (not Holds (B'Old, Number) or else not B'Old.Arena)
+       and then Kept = (Accepted and then Holds (B'Old, Number))
        and then B.Arena = (B'Old.Arena or else Kept)
-       and then B.Lines = B'Old.Lines;
+       and then B.Lines = B'Old.Lines
+       and then
+         (if Kept then Is_Answered (B, B'Old, Number, (Ready_Image, No_Line)));
    --  The image that answers an arena request. Not accepted while the one
    --  before waits; not kept if its session has ended
 
@@ -266,16 +376,15 @@ package Monitor.Mailboxes with SPARK_Mode is
 
    procedure Put (B : in out Mailbox; Item : Notice; Now : Time)
    with
-     Post => B.Open = B'Old.Open
-       and then B.Made = B'Old.Made
+     Post =>
+       (if Is_Wanted (B'Old, Item) and then Item.Kind = Text then
+           Text_Queues.Element_At (B.Texts, Text_Queues.Length (B.Texts)) =
+             Item.Line)
        and then
-         (if Is_Wanted (B'Old, Item) and then Item.Kind = User_Text then
-             Text_Queues.Element_At (B.Texts, Text_Queues.Length (B.Texts)) =
-               Item.Line)
-       and then
-         (for all Kind in Newest_Kind =>
+         (for all Kind in Notice_Kind =>
             B.Lines (Kind) =
-              (if not Is_Wanted (B'Old, Item) then B'Old.Lines (Kind)
+              (if not Is_Wanted (B'Old, Item) or else Item.Kind = Text
+               then B'Old.Lines (Kind)
                elsif Kind = Item.Kind then Item.Line
                elsif Kind = Progress and then Item.Kind = Ending then No_Line
                else B'Old.Lines (Kind)));
@@ -288,9 +397,7 @@ package Monitor.Mailboxes with SPARK_Mode is
       Now  : Time;
       Kept : out Boolean)
    with
-     Post => B.Open = B'Old.Open
-       and then B.Lines = B'Old.Lines
-       and then B.Made = B'Old.Made
+     Post => B.Lines = B'Old.Lines
        and then Kept = (B.Open and then Made = B.Made)
        and then B.Image = (B'Old.Image or else Kept);
    --  Kept: it replaces an image that still waits
@@ -299,17 +406,13 @@ package Monitor.Mailboxes with SPARK_Mode is
    with
      Post => B.Made = B'Old.Made + 1
        and then not B.Image
-       and then (for all Kind in Newest_Kind =>
+       and then (for all Kind in Notice_Kind =>
                    B.Lines (Kind) =
-                     (if Kind = Place then No_Line else B'Old.Lines (Kind)));
+                     (if Kind = Position then No_Line
+                      else B'Old.Lines (Kind)));
    --  Begins a new generation and drops the waiting image of the older one
 
    --  The sending
-
-   function Due (B : Mailbox; Between : Milliseconds) return Milliseconds is
-     (Gap (Waits (B), Monitor.Send_Order.Next (Waits (B)), Between));
-   --  Minimum time from the last message to the most urgent one now; Between:
-   --  the gap between two unsolicited messages
 
    procedure Take
      (B         : in out Mailbox;
@@ -317,59 +420,46 @@ package Monitor.Mailboxes with SPARK_Mode is
       Now       : Time;
       Last_Sent : Time;
       Next      : out Item;
-      Gap       : out Milliseconds;
       Left      : out Boolean)
    with
      Post => Left = (B'Old.Busy and then not B'Old.Open)
-       and then Gap = Due (B'Old, Between)
+       and then Next.Gap = Gap (B'Old, Mailboxes.Next (B'Old), Between)
        and then Next.Kind =
-         (if Now >= Last_Sent + Ada.Real_Time.Milliseconds (Gap)
-          then Monitor.Send_Order.Next (Waits (B'Old))
+         (if Now >= Last_Sent + Ada.Real_Time.Milliseconds (Next.Gap)
+          then Mailboxes.Next (B'Old)
           else Nothing)
        and then B.Busy = (Next.Kind /= Nothing)
        and then Next.Unsent = B.Busy
        and then B.Open = B'Old.Open
+       and then Next.Is_Image =
+         (Next.Kind = Image
+          or else (Next.Kind = Answer
+                   and then First (B'Old).State = Ready_Image))
        and then
          (case Next.Kind is
-             when Nothing    => not Next.Is_Image,
+             when Nothing    => True,
              when Answer     =>
-               (if First (B'Old).State = Ready_Text then
-                   Next.Line = First (B'Old).Line)
-               and then Next.Is_Image =
-                 (First (B'Old).State = Ready_Image)
-               and then (if Next.Is_Image then not B.Arena)
-               and then Commands (B) < Commands (B'Old),
+               (Next.Is_Image or else Next.Line = First (B'Old).Line)
+               and then Pending (B) < Pending (B'Old),
              when Text       =>
-               Next.Line = Text_Queues.Element_At (B'Old.Texts, 1)
-               and then not Next.Is_Image,
-             when Robot_Lost | Mission | Battery | Position =>
-               Next.Line = B'Old.Lines (Kind_Of (B'Old, Next.Kind))
-               and then not Next.Is_Image,
-             when Image      => Next.Is_Image and then not B.Image)
+               Next.Line = Text_Queues.Element_At (B'Old.Texts, 1),
+             when Image      => not B.Image,
+             when others     => Next.Line = B'Old.Lines (Next.Kind))
        and then
-         (for all Kind in Newest_Kind =>
+         (for all Kind in Notice_Kind =>
             B.Lines (Kind) =
-              (if Next.Kind in Robot_Lost | Mission | Battery | Position
-                 and then Kind = Kind_Of (B'Old, Next.Kind)
-               then No_Line
+              (if Kind = Next.Kind and then Kind /= Text then No_Line
                else B'Old.Lines (Kind)));
    --  The message taken before has been sent, or could not be. Takes the most
-   --  urgent message that may be sent now, if any: Gap after the last one,
-   --  which was sent at Last_Sent. Left: the session of the message before has
-   --  ended meanwhile
-
-   --  The hold (docs/wire.md, rule 7)
-
-   function Hold_End (B : Mailbox) return Time is
-     (if B.Held.On and then not B.Held.Released then Ending (B.Held)
-      else Ada.Real_Time.Time_Last);
-   --  Until then unsolicited messages are held back; Time_Last: they are not
+   --  urgent message that may be sent now, if any: Next.Gap after the last
+   --  one, which was sent at Last_Sent. Left: the session of the message
+   --  before has ended meanwhile
 
    procedure End_Hold (B : in out Mailbox; Now : Time)
    with
      Post => B.Held.Released =
          (B'Old.Held.Released
-          or else (B.Held.On and then Now >= Ending (B.Held)))
+          or else (B.Held.On and then Now >= End_Of (B.Held)))
        and then B.Held.On = B'Old.Held.On
        and then B.Lines = B'Old.Lines;
    --  Ends the hold if its time has come

@@ -79,16 +79,7 @@ package Monitor.Notices with SPARK_Mode is
        and then (for all C of Text_Of'Result => C in ' ' .. '~');
 
    function Progress_Line
-     (Leg, Of_Legs : Point_Number; Distance : Millimetres) return Short_Text
-   with
-     Post => Progress_Line'Result.Length in 11 .. 32
-       and then Begins_With (Progress_Line'Result.Data, Progress_Label)
-       and then Progress_Line'Result.Data (5) = Separator
-       and then Progress_Line'Result.Data (Progress_Line'Result.Length) =
-         Line_Feed
-       and then
-         (for all I in 6 .. Progress_Line'Result.Length - 1 =>
-            Progress_Line'Result.Data (I) in '0' .. '9' | Field_Separator);
+     (Leg, Of_Legs : Point_Number; Distance : Millimetres) return Short_Text;
    --  MPRG:leg;of;distance; the distance to the leg's point
 
    function End_Line (Why : Ending; Measured : Percent) return Short_Text is

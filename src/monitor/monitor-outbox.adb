@@ -1,8 +1,8 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  The object only locks, and exchanges image messages by reference;
+--  The object only locks, and exchanges images by reference;
 --  Monitor.Mailboxes decides.
 
-with Ada.Real_Time;                use Ada.Real_Time;
+with Ada.Real_Time; use Ada.Real_Time;
 with Event;
 with Schedule;
 with Trace;
@@ -10,14 +10,11 @@ with Trace;
 package body Monitor.Outbox with SPARK_Mode is
 
    use type Monitor.Mailboxes.Reservation;
-   use type Monitor.Send_Order.Choice;
 
-   subtype Message_Access is Monitor.Image_Messages.Message_Access;
-
-   package Room is new Event;
-   package Work is new Event;
-   package Arena_Room is new Event;
-   package Sender_Left is new Event;
+   package Room is new Event (Schedule.Th_Receive_From_Mon);
+   package Work is new Event (Schedule.Th_Send_To_Mon);
+   package Arena_Room is new Event (Schedule.Th_Arene);
+   package Sender_Left is new Event (Schedule.Th_Com_Mon_Perdue);
 
    procedure Exchange (Left, Right : in out Message_Access) is
       --  Swaps the two
@@ -31,42 +28,36 @@ package body Monitor.Outbox with SPARK_Mode is
       procedure Fill (First, Second : in out Message_Access);
       --  The box gets its messages for images
       procedure Open_Session;
-      procedure Close_Session (Next : out Orders.Ticket);
+      procedure Close_Session (Next : out Commands.Ticket);
       procedure Get (Value : out Monitor.Mailboxes.Status);
       procedure Reserve
-        (Now    : Time;
-         Number : out Orders.Ticket;
+        (Number : out Commands.Ticket;
          Result : out Monitor.Mailboxes.Reservation);
       procedure Answer
-        (Number : Orders.Ticket;
+        (Number : Commands.Ticket;
          Line   : Monitor.Protocol.Short_Text;
          Full   : out Boolean);
       --  Full: before, so somebody may wait for room
       procedure Answer_With_Image
-        (Number   : Orders.Ticket;
-         Message  : in out Message_Access;
+        (Number   : Commands.Ticket;
+         Image    : in out Message_Access;
          Accepted : out Boolean);
-      procedure Put (Item : Monitor.Mailboxes.Notice; Now : Time);
+      procedure Put (Item : Monitor.Mailboxes.Notice);
       procedure Put_Image
-        (Message : in out Message_Access;
-         Made    : Monitor.Mailboxes.Generation;
-         Now     : Time);
+        (Image : in out Message_Access; Made : Monitor.Mailboxes.Generation);
       procedure Stop_Images;
       procedure Take
-        (Between   : Monitor.Send_Order.Milliseconds;
-         Now       : Time;
+        (Between   : Monitor.Mailboxes.Milliseconds;
          Last_Sent : Time;
          Next      : out Monitor.Mailboxes.Item;
-         Message   : in out Message_Access;
-         Gap       : out Monitor.Send_Order.Milliseconds;
-         Hold_End  : out Time;
+         Image     : in out Message_Access;
          Left      : out Boolean;
          Full      : out Boolean)
-      with Post => Next.Unsent = (Next.Kind in Monitor.Send_Order.Sent_Kind);
+      with Post => Next.Unsent = (Next.Kind /= Monitor.Mailboxes.Nothing);
    private
-      Mail  : Monitor.Mailboxes.Mailbox;
-      Arena : Message_Access := null;  --  of an arena order
-      Image : Message_Access := null;  --  the periodic image
+      Mail     : Monitor.Mailboxes.Mailbox;
+      Arena    : Message_Access := null;  --  of an arena order
+      Periodic : Message_Access := null;
    end Box;
 
    protected body Box is
@@ -74,7 +65,7 @@ package body Monitor.Outbox with SPARK_Mode is
       procedure Fill (First, Second : in out Message_Access) is
       begin
          Exchange (First, Arena);
-         Exchange (Second, Image);
+         Exchange (Second, Periodic);
       end Fill;
 
       procedure Open_Session is
@@ -82,9 +73,10 @@ package body Monitor.Outbox with SPARK_Mode is
          Monitor.Mailboxes.Open_Session (Mail);
       end Open_Session;
 
-      procedure Close_Session (Next : out Orders.Ticket) is
+      procedure Close_Session (Next : out Commands.Ticket) is
       begin
-         Monitor.Mailboxes.Close_Session (Mail, Next);
+         Monitor.Mailboxes.Close_Session (Mail);
+         Next := Mail.Next;
       end Close_Session;
 
       procedure Get (Value : out Monitor.Mailboxes.Status) is
@@ -93,15 +85,16 @@ package body Monitor.Outbox with SPARK_Mode is
       end Get;
 
       procedure Reserve
-        (Now    : Time;
-         Number : out Orders.Ticket;
-         Result : out Monitor.Mailboxes.Reservation) is
+        (Number : out Commands.Ticket;
+         Result : out Monitor.Mailboxes.Reservation)
+      is
+         Now : constant Time := Clock;
       begin
          Monitor.Mailboxes.Reserve (Mail, Now, Number, Result);
       end Reserve;
 
       procedure Answer
-        (Number : Orders.Ticket;
+        (Number : Commands.Ticket;
          Line   : Monitor.Protocol.Short_Text;
          Full   : out Boolean) is
       begin
@@ -110,33 +103,33 @@ package body Monitor.Outbox with SPARK_Mode is
       end Answer;
 
       procedure Answer_With_Image
-        (Number   : Orders.Ticket;
-         Message  : in out Message_Access;
+        (Number   : Commands.Ticket;
+         Image    : in out Message_Access;
          Accepted : out Boolean)
       is
          Kept : Boolean;
       begin
          Monitor.Mailboxes.Put_Arena (Mail, Number, Accepted, Kept);
          if Kept then
-            Exchange (Message, Arena);
+            Exchange (Image, Arena);
          end if;
       end Answer_With_Image;
 
-      procedure Put (Item : Monitor.Mailboxes.Notice; Now : Time) is
+      procedure Put (Item : Monitor.Mailboxes.Notice) is
+         Now : constant Time := Clock;
       begin
          Monitor.Mailboxes.Put (Mail, Item, Now);
       end Put;
 
       procedure Put_Image
-        (Message : in out Message_Access;
-         Made    : Monitor.Mailboxes.Generation;
-         Now     : Time)
+        (Image : in out Message_Access; Made : Monitor.Mailboxes.Generation)
       is
+         Now  : constant Time := Clock;
          Kept : Boolean;
       begin
          Monitor.Mailboxes.Put_Image (Mail, Made, Now, Kept);
          if Kept then
-            Exchange (Message, Image);
+            Exchange (Image, Periodic);
          end if;
       end Put_Image;
 
@@ -146,70 +139,59 @@ package body Monitor.Outbox with SPARK_Mode is
       end Stop_Images;
 
       procedure Take
-        (Between   : Monitor.Send_Order.Milliseconds;
-         Now       : Time;
+        (Between   : Monitor.Mailboxes.Milliseconds;
          Last_Sent : Time;
          Next      : out Monitor.Mailboxes.Item;
-         Message   : in out Message_Access;
-         Gap       : out Monitor.Send_Order.Milliseconds;
-         Hold_End  : out Time;
+         Image     : in out Message_Access;
          Left      : out Boolean;
-         Full      : out Boolean) is
+         Full      : out Boolean)
+      is
+         Now : constant Time := Clock;
       begin
          Full := Monitor.Mailboxes.Is_Full (Mail);
          Monitor.Mailboxes.End_Hold (Mail, Now);
-         Monitor.Mailboxes.Take
-           (Mail, Between, Now, Last_Sent, Next, Gap, Left);
-         Hold_End := Monitor.Mailboxes.Hold_End (Mail);
-         if Next.Is_Image then
-            if Next.Kind = Monitor.Send_Order.Answer then
-               Exchange (Message, Arena);
-            else
-               Exchange (Message, Image);
-            end if;
+         Monitor.Mailboxes.Take (Mail, Between, Now, Last_Sent, Next, Left);
+         if Next.Kind = Monitor.Mailboxes.Image then
+            Exchange (Image, Periodic);
+         elsif Next.Is_Image then
+            Exchange (Image, Arena);
          end if;
       end Take;
 
    end Box;
 
-   First  : Message_Access := new Monitor.Image_Messages.Message;
-   Second : Message_Access := new Monitor.Image_Messages.Message;
+   First  : Message_Access := new Message;
+   Second : Message_Access := new Message;
    --  The box's own
 
-   procedure Wake_Sender (Number : Orders.Ticket := 0)
-   with Annotate => (GNATprove, Terminating);
-   --  The box may contain a message to be sent
-
    procedure Answer
-     (Order : in out Orders.Order; Line : Monitor.Protocol.Short_Text)
+     (Order : in out Commands.Order; Line : Monitor.Protocol.Short_Text)
    is
       Full : Boolean;
    begin
       Box.Answer (Order.Number, Line, Full);
       Order.Owed := False;
-      Wake_Sender (Order.Number);
+      Work.Set (Order.Number);
       if Full then
          Room.Set;
       end if;
    end Answer;
 
    procedure Answer_With_Image
-     (Order : in out Orders.Order; Message : in out Message_Access)
+     (Order : in out Commands.Order; Image : in out Message_Access)
    is
       Accepted : Boolean;
    begin
       loop
-         Box.Answer_With_Image (Order.Number, Message, Accepted);
+         Box.Answer_With_Image (Order.Number, Image, Accepted);
          exit when Accepted;
-         Trace.Wait (Schedule.Th_Arene, Trace.Room);
-         Arena_Room.Wait;
-         Trace.Resume (Schedule.Th_Arene);
+         Arena_Room.Wait_In_Job (Trace.Room);
       end loop;
       Order.Owed := False;
-      Wake_Sender (Order.Number);
+      Work.Set (Order.Number);
    end Answer_With_Image;
 
-   procedure Close_Session (Next : out Orders.Ticket) is
+   procedure Close_Session (Next : out Commands.Ticket) is
    begin
       Box.Close_Session (Next);
       Room.Set;
@@ -227,34 +209,32 @@ package body Monitor.Outbox with SPARK_Mode is
    end Open_Session;
 
    procedure Put (Item : Monitor.Mailboxes.Notice) is
-      Now : constant Time := Clock;
    begin
-      Box.Put (Item, Now);
-      Wake_Sender;
+      Box.Put (Item);
+      Work.Set;
    end Put;
 
    procedure Put_Image
-     (Message : in out Message_Access; Made : Monitor.Mailboxes.Generation)
-   is
-      Now : constant Time := Clock;
+     (Image : in out Message_Access; Made : Monitor.Mailboxes.Generation) is
    begin
-      Box.Put_Image (Message, Made, Now);
-      Wake_Sender;
+      Box.Put_Image (Image, Made);
+      Work.Set;
    end Put_Image;
 
-   procedure Reserve (Order : in out Orders.Order) is
+   procedure Reserve (Order : in out Commands.Order) is
       Result : Monitor.Mailboxes.Reservation;
-      Now    : Time;
    begin
       loop
-         Now := Clock;
-         Box.Reserve (Now, Order.Number, Result);
+         Box.Reserve (Order.Number, Result);
          exit when Result /= Monitor.Mailboxes.Full;
-         Trace.Wait (Schedule.Th_Receive_From_Mon, Trace.Room);
-         Room.Wait;
-         Trace.Resume (Schedule.Th_Receive_From_Mon);
+         Room.Wait_In_Job (Trace.Room);
       end loop;
       Order.Owed := Result = Monitor.Mailboxes.Reserved;
+      if Order.Owed then
+         Trace.Put
+           (Trace.Received, Schedule.Th_Receive_From_Mon, Order.Number,
+            Commands.Table (Order.Command.Name).Label & "  ");
+      end if;
    end Reserve;
 
    procedure Stop_Images is
@@ -263,40 +243,33 @@ package body Monitor.Outbox with SPARK_Mode is
    end Stop_Images;
 
    procedure Take
-     (Between   : Monitor.Send_Order.Milliseconds;
+     (Between   : Monitor.Mailboxes.Milliseconds;
       Last_Sent : Ada.Real_Time.Time;
       Next      : in out Monitor.Mailboxes.Item;
-      Image     : in out Message_Access;
-      Gap       : out Monitor.Send_Order.Milliseconds;
-      Hold_End  : out Time)
+      Image     : in out Message_Access)
    is
-      Now  : constant Time := Clock;
       Left : Boolean;
       Full : Boolean;
    begin
-      Box.Take
-        (Between, Now, Last_Sent, Next, Image, Gap, Hold_End, Left, Full);
+      Box.Take (Between, Last_Sent, Next, Image, Left, Full);
       if Left then
          Sender_Left.Set;
       end if;
       if Full then
          Room.Set;
       end if;
-      if Next.Kind = Monitor.Send_Order.Answer and then Next.Is_Image then
+      if Next.Kind = Monitor.Mailboxes.Answer and then Next.Is_Image then
          Arena_Room.Set;
       end if;
    end Take;
 
    procedure Wait (Hold_End : Time) is
-      Was_Set : Boolean;
+      Ignored : Boolean;
    begin
       if Hold_End = Time_Last then
          Work.Wait;
       else
-         Work.Wait_Until (Hold_End, Was_Set);
-         if not Was_Set then
-            Trace.Release (Schedule.Th_Send_To_Mon, Hold_End);
-         end if;
+         Work.Wait_Until (Hold_End, Ignored);
       end if;
    end Wait;
 
@@ -307,17 +280,9 @@ package body Monitor.Outbox with SPARK_Mode is
       loop
          Box.Get (Known);
          exit when not Known.Busy;
-         Trace.Wait (Schedule.Th_Com_Mon_Perdue, Trace.Tasks);
-         Sender_Left.Wait;
-         Trace.Resume (Schedule.Th_Com_Mon_Perdue);
+         Sender_Left.Wait_In_Job (Trace.Tasks);
       end loop;
    end Wait_Sender;
-
-   procedure Wake_Sender (Number : Orders.Ticket := 0) is
-   begin
-      Trace.Release (Schedule.Th_Send_To_Mon, Number);
-      Work.Set;
-   end Wake_Sender;
 
 begin
 

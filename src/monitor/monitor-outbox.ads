@@ -3,25 +3,42 @@
 --  Monitor.Mailboxes decides what is sent when.
 
 with Ada.Real_Time;
-with Monitor.Image_Messages;
+with Commands;
 with Monitor.Mailboxes;
 with Monitor.Protocol;
-with Monitor.Send_Order;
-with Orders;
 
 package Monitor.Outbox with SPARK_Mode is
+
+   use type Monitor.Mailboxes.Choice;
+
+   --  Messages that contain an image. They are large, so they are passed by
+   --  reference, with one owner at a time, which GNATprove checks
+
+   Max_Jpeg : constant := 1_048_575;
+   --  Bytes of the largest image that can be sent (a multiple of 3)
+
+   Max_Message : constant := 5 + Max_Jpeg / 3 * 4 + 1;
+   --  Characters of its message: label, base64, line feed
+
+   subtype Message_Buffer is String (1 .. Max_Message);
+
+   type Message is record
+      Data   : Message_Buffer                 := (others => ' ');
+      Length : Natural range 0 .. Max_Message := 0;
+   end record;
+   --  The first Length characters of Data are valid
+
+   type Message_Access is access Message;
+
+   --  The session
 
    procedure Get (Value : out Monitor.Mailboxes.Status)
    with Annotate => (GNATprove, Terminating);
 
-   ---------------------------
-   -- For the session tasks --
-   ---------------------------
-
    procedure Open_Session with Annotate => (GNATprove, Terminating);
-   --  A monitor has been admitted: empties the box
+   --  A monitor has been admitted
 
-   procedure Close_Session (Next : out Orders.Ticket)
+   procedure Close_Session (Next : out Commands.Ticket)
    with Annotate => (GNATprove, Terminating);
    --  Empties the box and releases the tasks that wait for it. All earlier
    --  commands have numbers below Next
@@ -30,18 +47,16 @@ package Monitor.Outbox with SPARK_Mode is
    --  Until the sender no longer uses the connection of the closed session.
    --  For th_comMonPerdue only
 
-   ------------------
-   -- The answers  --
-   ------------------
+   --  The answers
 
-   procedure Reserve (Order : in out Orders.Order)
+   procedure Reserve (Order : in out Commands.Order)
    with Pre => not Order.Owed;
    --  Gives Order its number, and its answer a place; waits while no place is
    --  free (docs/wire.md, rule 2). Then Order is Owed, unless the session has
    --  ended. For th_receiveFromMon only
 
    procedure Answer
-     (Order : in out Orders.Order; Line : Monitor.Protocol.Short_Text)
+     (Order : in out Commands.Order; Line : Monitor.Protocol.Short_Text)
    with
      Pre  => Order.Owed,
      Post => not Order.Owed,
@@ -50,18 +65,15 @@ package Monitor.Outbox with SPARK_Mode is
    --  later ones may wait for its place
 
    procedure Answer_With_Image
-     (Order   : in out Orders.Order;
-      Message : in out Monitor.Image_Messages.Message_Access)
+     (Order : in out Commands.Order; Image : in out Message_Access)
    with
      Pre  => Order.Owed,
      Post => not Order.Owed;
    --  The image that answers an arena request; waits until the one before has
-   --  been taken. Message is exchanged for another one, to be filled next
-   --  time. For th_arene only
+   --  been taken. Image is exchanged for another one, to be filled next time.
+   --  For th_arene only
 
-   --------------------------
-   -- Unsolicited messages --
-   --------------------------
+   --  Unsolicited messages
 
    procedure Put (Item : Monitor.Mailboxes.Notice)
    with Annotate => (GNATprove, Terminating);
@@ -70,39 +82,33 @@ package Monitor.Outbox with SPARK_Mode is
    --  its progress. Dropped if its session has ended
 
    procedure Put_Image
-     (Message : in out Monitor.Image_Messages.Message_Access;
-      Made    : Monitor.Mailboxes.Generation)
+     (Image : in out Message_Access; Made : Monitor.Mailboxes.Generation)
    with Annotate => (GNATprove, Terminating);
-   --  Replaces an image that still waits. Message is exchanged for another
-   --  one, to be filled next time
+   --  Replaces an image that still waits. Image is exchanged for another one,
+   --  to be filled next time
 
    procedure Stop_Images with Annotate => (GNATprove, Terminating);
    --  Begins a new generation and drops the waiting image of the older one
 
-   ------------------
-   -- The sending  --
-   ------------------
+   --  The sending
 
    procedure Wait (Hold_End : Ada.Real_Time.Time);
    --  Until a message has been put into the box, or Hold_End, which Take has
    --  given. For th_sendToMon only
 
    procedure Take
-     (Between   : Monitor.Send_Order.Milliseconds;
+     (Between   : Monitor.Mailboxes.Milliseconds;
       Last_Sent : Ada.Real_Time.Time;
       Next      : in out Monitor.Mailboxes.Item;
-      Image     : in out Monitor.Image_Messages.Message_Access;
-      Gap       : out Monitor.Send_Order.Milliseconds;
-      Hold_End  : out Ada.Real_Time.Time)
+      Image     : in out Message_Access)
    with
      Pre  => not Next.Unsent,
-     Post => Next.Unsent = (Next.Kind in Monitor.Send_Order.Sent_Kind),
+     Post => Next.Unsent = (Next.Kind /= Monitor.Mailboxes.Nothing),
      Annotate => (GNATprove, Terminating);
    --  The message taken before has been sent, or could not be. Takes the most
-   --  urgent message that may be sent now, if any: Gap after the last one,
-   --  which was sent at Last_Sent; Between two unsolicited ones. An image is
-   --  returned in Image, whose content is overwritten. Until Hold_End
-   --  unsolicited messages are held back (docs/wire.md, rule 7); Time_Last:
-   --  they are not. For th_sendToMon only
+   --  urgent message that may be sent now, if any: Next.Gap after the last
+   --  one, which was sent at Last_Sent; Between two unsolicited ones. An image
+   --  is returned in Image, whose content is overwritten. For th_sendToMon
+   --  only
 
 end Monitor.Outbox;

@@ -31,16 +31,9 @@ package Monitor.Positions with SPARK_Mode is
    --  No robot in the image: F18 requires identifier and centre; angle and
    --  direction are 0 as in the empty position of the existing platform
 
-   procedure Format (P : Position; Line : out Short_Line; Last : out Natural)
-   with
-     Post => Last in 50 .. 100
-       and then Begins_With (Line, Position_Label)
-       and then Line (5) = Separator
-       and then Line (Last) = Line_Feed
-       and then (for all I in 6 .. Last - 1 =>
-                   Line (I) in '-' | '.' | '0' .. '9' | Field_Separator);
-   --  CPOS:id;angle;cx;cy;dx;dy and a line feed in Line (1 .. Last), the id as
-   --  an integer, the others with exactly six decimals
+   function Position_Line (P : Position) return Short_Text;
+   --  CPOS:id;angle;cx;cy;dx;dy and a line feed: the id as an integer, the
+   --  others with exactly six decimals
 
    subtype Coordinate is Micro range -999_999_999 .. 9_999_999_999;
    --  In every image

@@ -2,16 +2,28 @@
 
 package body Monitor.Protocol with SPARK_Mode is
 
+   procedure Parse (Line : String; C : out Command) is
+   begin
+      C := (Malformed, 0);
+      for N in Known_Command loop
+         if Is_Line_Of (Line, N) then
+            C.Name := N;
+            if Takes_Number (N) then
+               C.Value := Clamped_Number (Line, Line'First + Text_Offset);
+            end if;
+            return;
+         end if;
+         pragma Loop_Invariant
+           (for all J in Known_Command'First .. N =>
+              not Is_Line_Of (Line, J));
+      end loop;
+   end Parse;
+
    function Telnet_End
      (Line : String; First : Positive; Last : Natural) return Natural
    with
-     Pre  => Line'Last < Integer'Last
-       and then First >= Line'First
-       and then Last <= Line'Last
-       and then First <= Last + 1,
+     Pre  => Monitor.Paths.Is_Slice (Line, First, Last),
      Post => Telnet_End'Result in First - 1 .. Last
-       and then (if First > Last or else Line (First) /= Telnet_Mark
-                 then Telnet_End'Result = First - 1)
    is
       --  The end of the telnet command at First; First - 1 if there is none.
       Place : Positive;
@@ -43,38 +55,19 @@ package body Monitor.Protocol with SPARK_Mode is
       end case;
    end Telnet_End;
 
-   procedure Keep (R : in out Line_Reader; C : Character)
-   with
-     Post => R.Held = R'Old.Held
-       and then R.Finished = R'Old.Finished
-       and then R.Length = Integer'Min (R'Old.Length + 1, Max_Line)
-       and then R.Too_Long =
-                  (R'Old.Too_Long or else R'Old.Length = Max_Line)
-       and then (for all I in 1 .. R'Old.Length =>
-                   R.Data (I) = R'Old.Data (I))
-       and then (if R'Old.Length < Max_Line then R.Data (R.Length) = C)
-   is
-      --  Appends C to the line if there is room; otherwise it is too long
-   begin
-      if R.Length < Max_Line then
-         R.Length := R.Length + 1;
-         R.Data (R.Length) := C;
-      else
-         R.Too_Long := True;
-      end if;
-   end Keep;
-
    function After_Telnet
      (Line : String; First : Positive; Last : Natural) return Positive
+   with
+     Pre  => Monitor.Paths.Is_Slice (Line, First, Last),
+     Post => After_Telnet'Result in First .. Last + 1
    is
+      --  Where what follows the telnet commands at First begins. One that has
+      --  not been received as a whole is none
       Place : Positive := First;
       Ended : Natural;
    begin
       loop
          pragma Loop_Invariant (Place in First .. Last + 1);
-         pragma Loop_Invariant
-           (if First > Last or else Line (First) /= Telnet_Mark
-            then Place = First);
          pragma Loop_Variant (Increases => Place);
          Ended := Telnet_End (Line, Place, Last);
          exit when Ended < Place;
@@ -83,35 +76,59 @@ package body Monitor.Protocol with SPARK_Mode is
       return Place;
    end After_Telnet;
 
-   procedure Accept_Character
-     (R : in out Line_Reader; C : Character; Complete : out Boolean)
+   function Received (R : Line_Reader) return Natural is
+     (if R.Length > 0 and then R.Data (R.Length) = Carriage_Return
+      then R.Length - 1 else R.Length)
+   with Post => Received'Result <= R.Length;
+   --  Characters of the line so far, without a carriage return at its end
+
+   function Text_First (R : Line_Reader) return Positive is
+     (After_Telnet (R.Data, 1, Received (R)))
+   with Post => Text_First'Result <= Received (R) + 1;
+
+   function Text_Last (R : Line_Reader) return Natural
+   with Post => Text_Last'Result in Text_First (R) - 1 .. Received (R)
    is
+      --  The last character before the telnet commands at the line's end
    begin
-      if R.Finished then
-         R := (others => <>);
-      end if;
+      for I in Text_First (R) .. Received (R) loop
+         if R.Data (I) = Telnet_Mark then
+            return
+              (if After_Telnet (R.Data, I, Received (R)) > Received (R)
+               then I - 1 else Received (R));
+         end if;
+      end loop;
+      return Received (R);
+   end Text_Last;
+
+   function May_Begin (R : Line_Reader; Start : Label_Text) return Boolean is
+     ((for all I in 1 .. Integer'Min (Received (R) - Text_First (R) + 1, 4) =>
+         R.Data (Text_First (R) + I - 1) = Start (I))
+      and then
+        (Received (R) < Text_First (R) + 4
+         or else R.Data (Text_First (R) + 4) in Separator | Telnet_Mark));
+   --  The line so far is the beginning of Start and a separator, or begins
+   --  with them, without telnet commands
+
+   procedure Accept_Character
+     (R : in out Line_Reader; C : Character; Complete : out Boolean) is
+   begin
       Complete := C = Line_Feed;
       if Complete then
-         R.Finished := True;
-         return;
-      end if;
-      if R.Held then
-         R.Held := False;
-         Keep (R, Carriage_Return);
-      end if;
-      if C = Carriage_Return then
-         R.Held := True;
+         null;
+      elsif R.Length < R.Data'Last then
+         R.Length := R.Length + 1;
+         R.Data (R.Length) := C;
       else
-         Keep (R, C);
+         R.Too_Long := True;
       end if;
    end Accept_Character;
 
    procedure Get_Line
-     (R : Line_Reader; Line : in out String; Last : out Natural)
-   is
+     (R : Line_Reader; Line : in out Line_Buffer; Last : out Line_Length) is
    begin
       Last := 0;
-      if not R.Too_Long then
+      if not R.Too_Long and then Received (R) <= Max_Line then
          Last := Text_Last (R) - Text_First (R) + 1;
          Line (1 .. Last) := R.Data (Text_First (R) .. Text_Last (R));
       end if;
@@ -121,27 +138,28 @@ package body Monitor.Protocol with SPARK_Mode is
      (R       : Line_Reader;
       Data    : String;
       Verdict : out Beginning;
-      Line    : in out String;
-      Last    : out Natural)
+      Line    : in out Line_Buffer;
+      Last    : out Line_Length)
    is
       Ahead    : Line_Reader := R;
       Complete : Boolean     := False;
+      Token    : Boolean;
       Read     : Command;
    begin
       for C of Data loop
          Accept_Character (Ahead, C, Complete);
          exit when Complete;
       end loop;
+      Token := May_Begin (Ahead, Token_Label);
       Get_Line (Ahead, Line, Last);
       if Complete then
          Parse (Line (1 .. Last), Read);
          Verdict :=
-           (if Read.Name in Known_Command
-              or else (Last > 4 and then May_Begin (Ahead, Token_Label))
+           (if Read.Name in Known_Command or else (Last > 4 and then Token)
             then Known else Unknown);
-      elsif (Text_First (Ahead) <= Ahead.Length
-             and then Ahead.Data (Text_First (Ahead)) = Telnet_Mark)
-        or else May_Begin (Ahead, Token_Label)
+      elsif Token
+        or else (Text_First (Ahead) <= Received (Ahead)
+                 and then Ahead.Data (Text_First (Ahead)) = Telnet_Mark)
         or else (for some N in Known_Command =>
                     May_Begin (Ahead, Table (N).Label))
       then
@@ -151,38 +169,18 @@ package body Monitor.Protocol with SPARK_Mode is
       end if;
    end Judge;
 
-   procedure Parse (Line : String; C : out Command) is
+   procedure Append (Line : in out Short_Text; Text : String) is
    begin
-      C := (Malformed, 0);
-      for N in Known_Command loop
-         if Is_Line_Of (Line, N) then
-            C.Name := N;
-            if Takes_Number (N) then
-               C.Value :=
-                 Clamped_Number
-                   (Line, Line'First + Text_Offset, Line'Last);
-            end if;
-            return;
-         end if;
-         pragma Loop_Invariant
-           (for all J in Known_Command'First .. N =>
-              not Is_Line_Of (Line, J));
-      end loop;
-   end Parse;
+      Line.Data (Line.Length + 1 .. Line.Length + Text'Length) := Text;
+      Line.Length := Line.Length + Text'Length;
+   end Append;
 
-   function Text_First (R : Line_Reader) return Positive is
-     (After_Telnet (R.Data, 1, R.Length));
-
-   function Text_Last (R : Line_Reader) return Line_Length is
+   procedure Append_Number
+     (Line  : in out Short_Text;
+      N     : Numbers.Number;
+      Width : Numbers.Digit_Count := 1) is
    begin
-      for I in Text_First (R) .. R.Length loop
-         if R.Data (I) = Telnet_Mark then
-            return
-              (if After_Telnet (R.Data, I, R.Length) > R.Length then I - 1
-               else R.Length);
-         end if;
-      end loop;
-      return R.Length;
-   end Text_Last;
+      Numbers.Append (N, Width, Line.Data, Line.Length);
+   end Append_Number;
 
 end Monitor.Protocol;

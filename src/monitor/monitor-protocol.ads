@@ -2,7 +2,6 @@
 --  The protocol of the monitor: parses its lines, and formats answers.
 
 with Commands; use Commands;
-with Decimals;
 with Monitor.Paths;
 
 package Monitor.Protocol with SPARK_Mode is
@@ -31,59 +30,43 @@ package Monitor.Protocol with SPARK_Mode is
    --  The text of a Log_Message is Line (Line'First + Text_Offset ..
    --  Line'Last); it may be empty. The path of a mission begins there, too.
 
-   --  Used in the contract of Parse
-
-   package Numbers is new Decimals (Character, String);
-
-   function Begins_With (Line : String; Start : Label_Text) return Boolean is
-     (Line'Length >= 4
-      and then Line (Line'First) = Start (1)
-      and then Line (Line'First + 1) = Start (2)
-      and then Line (Line'First + 2) = Start (3)
-      and then Line (Line'First + 3) = Start (4))
-   with Pre => Line'Last < Integer'Last;
+   package Numbers renames Monitor.Paths.Numbers;
 
    function Has_Data (Line : String) return Boolean is
      (Line'Length >= 5 and then Line (Line'First + 4) = Separator)
    with Pre => Line'Last < Integer'Last;
    --  The label is followed by a separator; the data may be empty.
 
-   function Is_Number
-     (Line : String; First : Positive; Last : Natural) return Boolean
-   is (Last >= First
-       and then
-         (if Line (First) in '+' | '-' then
-             Last > First and then Numbers.Are_Digits (Line, First + 1, Last)
-          else Numbers.Are_Digits (Line, First, Last)))
-   with Pre => Line'Last < Integer'Last
-     and then First >= Line'First
-     and then Last <= Line'Last;
+   function Digits_First (Line : String; First : Positive) return Positive is
+     (if Line (First) in '+' | '-' then First + 1 else First)
+   with Pre => Line'Last < Integer'Last and then First in Line'Range;
+
+   function Is_Number (Line : String; First : Positive) return Boolean is
+     (First <= Line'Last
+      and then Digits_First (Line, First) <= Line'Last
+      and then Numbers.Are_Digits
+        (Line, Digits_First (Line, First), Line'Last))
+   with Pre => Line'Last < Integer'Last and then First >= Line'First;
    --  Decimal: an optional sign, then any number of digits. No blanks.
 
-   function Magnitude
-     (Line : String; First : Positive; Last : Natural) return Numbers.Number
-   is (Numbers.Saturated_Value
-         (Line, (if Line (First) in '+' | '-' then First + 1 else First),
-          Last))
+   function Clamped_Number (Line : String; First : Positive) return Argument is
+     (if Line (First) = '-'
+      then -Integer'Min
+        (Numbers.Saturated_Value (Line, First + 1, Line'Last), 32_768)
+      else Integer'Min
+        (Numbers.Saturated_Value
+           (Line, Digits_First (Line, First), Line'Last), 32_767))
    with Pre => Line'Last < Integer'Last
      and then First >= Line'First
-     and then Last <= Line'Last
-     and then Is_Number (Line, First, Last);
-
-   function Clamped_Number
-     (Line : String; First : Positive; Last : Natural)
-     return Argument
-   is (if Line (First) = '-'
-       then -Integer'Min (Magnitude (Line, First, Last), 32_768)
-       else Integer'Min (Magnitude (Line, First, Last), 32_767))
-   with Pre => Line'Last < Integer'Last
-     and then First >= Line'First
-     and then Last <= Line'Last
-     and then Is_Number (Line, First, Last);
+     and then Is_Number (Line, First);
    --  The number, limited to the robot's range.
 
    function Is_Line_Of (Line : String; Name : Known_Command) return Boolean is
-     (Begins_With (Line, Table (Name).Label)
+     (Line'Length >= 4
+      and then Line (Line'First) = Table (Name).Label (1)
+      and then Line (Line'First + 1) = Table (Name).Label (2)
+      and then Line (Line'First + 2) = Table (Name).Label (3)
+      and then Line (Line'First + 3) = Table (Name).Label (4)
       and then
         (case Table (Name).Data is
             when None      =>
@@ -91,13 +74,12 @@ package Monitor.Protocol with SPARK_Mode is
                or else (Line'Length = 5 and then Has_Data (Line)),
             when Number    =>
                Has_Data (Line)
-               and then Is_Number
-                 (Line, Line'First + Text_Offset, Line'Last),
+               and then Is_Number (Line, Line'First + Text_Offset),
             when Text      => Has_Data (Line),
             when Path_Data =>
                Has_Data (Line)
                and then Monitor.Paths.Is_Path
-                 (Line, Line'First + Text_Offset, Is_Single (Name))))
+                 (Line, Line'First + Text_Offset, Most_Points (Name))))
    with Pre => Line'Last < Integer'Last;
    --  The label, and the data that the command takes. The existing monitor
    --  appends a separator to every label, so a separator with nothing after it
@@ -110,7 +92,7 @@ package Monitor.Protocol with SPARK_Mode is
        (for all N in Known_Command => (C.Name = N) = Is_Line_Of (Line, N))
        and then C.Value =
          (if Takes_Number (C.Name)
-          then Clamped_Number (Line, Line'First + Text_Offset, Line'Last)
+          then Clamped_Number (Line, Line'First + Text_Offset)
           else 0);
    --  The command in Line, which has no line end. Every line has a meaning, at
    --  least Malformed: an empty line, a label in lower case, data for a
@@ -119,66 +101,30 @@ package Monitor.Protocol with SPARK_Mode is
 
    --  Lines from the monitor
 
+   subtype Line_Buffer is String (1 .. Max_Line);
+
    subtype Line_Length is Natural range 0 .. Max_Line;
 
    type Line_Reader is record
-      Data     : String (1 .. Max_Line) := (others => ' ');
-      Length   : Line_Length            := 0;
-      --  Characters of the line so far, or of the complete line
-      Held     : Boolean                := False;
-      --  The last character was a carriage return; the next one decides
-      --  whether it belongs to the line end
-      Too_Long : Boolean                := False;
-      --  The line has more than Max_Line characters: the rest is dropped
-      Finished : Boolean                := False;
-      --  Its line feed has been received: the next character starts another
+      Data     : String (1 .. Max_Line + 1) := (others => ' ');
+      Length   : Natural range 0 .. Max_Line + 1 := 0;
+      --  Characters of the line so far; a carriage return may be the last
+      Too_Long : Boolean := False;
+      --  There was no room for more: the rest is dropped
    end record;
    --  The line being received
 
-   function Kept (R : Line_Reader) return Line_Length is
-     (if R.Finished then 0 else R.Length)
-   with Ghost;
-   --  Number of characters received of the current line.
+   procedure Accept_Character
+     (R : in out Line_Reader; C : Character; Complete : out Boolean)
+   with Post => Complete = (C = Line_Feed);
+   --  Takes the next character. Complete: it ended the line. The next one
+   --  begins with a new reader.
 
-   function Added (R : Line_Reader; C : Character) return Natural is
-     ((if R.Held and then not R.Finished and then C /= Line_Feed
-       then 1 else 0)
-      + (if C in Carriage_Return | Line_Feed then 0 else 1))
-   with Ghost;
-   --  Length after C: a carriage return is held until the next character.
-
-   function After_Telnet
-     (Line : String; First : Positive; Last : Natural) return Positive
-   with
-     Pre  => Line'Last < Integer'Last
-       and then First >= Line'First
-       and then Last <= Line'Last
-       and then First <= Last + 1,
-     Post => After_Telnet'Result in First .. Last + 1
-       and then (if First > Last or else Line (First) /= Telnet_Mark
-                 then After_Telnet'Result = First);
-   --  Where what follows the telnet commands at First begins. One that has not
-   --  been received as a whole is none.
-
-   function Text_First (R : Line_Reader) return Positive
-   with Post => Text_First'Result <= R.Length + 1
-     and then (if R.Length = 0 or else R.Data (1) /= Telnet_Mark
-               then Text_First'Result = 1);
-
-   function Text_Last (R : Line_Reader) return Line_Length
-   with Post => Text_Last'Result in Text_First (R) - 1 .. R.Length
-     and then (if (for all I in 1 .. R.Length => R.Data (I) /= Telnet_Mark)
-               then Text_Last'Result = R.Length);
-   --  The line without the telnet commands at its beginning and its end.
-
-   function May_Begin (R : Line_Reader; Start : Label_Text) return Boolean is
-     ((for all I in 1 .. Integer'Min (R.Length - Text_First (R) + 1, 4) =>
-         R.Data (Text_First (R) + I - 1) = Start (I))
-      and then
-        (R.Length < Text_First (R) + 4
-         or else R.Data (Text_First (R) + 4) in Separator | Telnet_Mark));
-   --  The line so far is the beginning of Start and a separator, or begins
-   --  with them, without telnet commands.
+   procedure Get_Line
+     (R : Line_Reader; Line : in out Line_Buffer; Last : out Line_Length);
+   --  The line is Line (1 .. Last), without its end, the carriage return
+   --  before it, and telnet commands at its beginning or its end. A line that
+   --  is too long is returned as empty, which Parse rejects as malformed.
 
    type Beginning is (Undecided, Known, Unknown);
    --  Whether a client has begun with a line of this protocol.
@@ -187,51 +133,11 @@ package Monitor.Protocol with SPARK_Mode is
      (R       : Line_Reader;
       Data    : String;
       Verdict : out Beginning;
-      Line    : in out String;
-      Last    : out Natural)
-   with
-     Pre  => Data'Last < Integer'Last
-       and then Line'First = 1
-       and then Line'Last >= Max_Line,
-     Post => Last <= Max_Line;
+      Line    : in out Line_Buffer;
+      Last    : out Line_Length);
    --  Of its first line, the beginning of which R has, and then Data: Unknown
    --  as soon as it cannot become a message, or the token. Line (1 .. Last) is
    --  as much of it as has come.
-
-   procedure Accept_Character
-     (R : in out Line_Reader; C : Character; Complete : out Boolean)
-   with
-     Post => Complete = (C = Line_Feed)
-       and then R.Finished = Complete
-       and then (if not Complete then R.Held = (C = Carriage_Return))
-       and then R.Length =
-         Integer'Min (Kept (R'Old) + Added (R'Old, C), Max_Line)
-       and then R.Too_Long =
-         ((R'Old.Too_Long and then not R'Old.Finished)
-          or else Kept (R'Old) + Added (R'Old, C) > Max_Line)
-       and then
-         (for all I in 1 .. R.Length =>
-            R.Data (I) =
-              (if I <= Kept (R'Old) then R'Old.Data (I)
-               elsif I < Kept (R'Old) + Added (R'Old, C)
-                 or else C = Carriage_Return
-               then Carriage_Return
-               else C));
-   --  Takes the next character. Complete: it ended a line, which Get_Line
-   --  returns; the next character starts another line.
-
-   procedure Get_Line
-     (R : Line_Reader; Line : in out String; Last : out Natural)
-   with
-     Pre  => Line'First = 1 and then Line'Last >= Max_Line,
-     Post => Last =
-         (if R.Too_Long then 0 else Text_Last (R) - Text_First (R) + 1)
-       and then
-         (for all I in 1 .. Last =>
-            Line (I) = R.Data (Text_First (R) + I - 1));
-   --  The line is Line (1 .. Last), without its end, the carriage return
-   --  before it, and telnet commands at its beginning or its end. A line that
-   --  is too long is returned as empty, which Parse rejects as malformed.
 
    --  Messages to the monitor
 
@@ -268,6 +174,24 @@ package Monitor.Protocol with SPARK_Mode is
        and then (for all I in Text'Range => Short'Result.Data (I) = Text (I))
        and then Short'Result.Data (Text'Last + 1) = Line_Feed;
    --  Text and a line feed.
+
+   procedure Append (Line : in out Short_Text; Text : String)
+   with
+     Pre  => Text'Length <= Max_Short_Line - Line.Length,
+     Post => Line.Length = Line.Length'Old + Text'Length;
+
+   procedure Append_Number
+     (Line  : in out Short_Text;
+      N     : Numbers.Number;
+      Width : Numbers.Digit_Count := 1)
+   with
+     Pre  => Line.Length <= Max_Short_Line - Numbers.Max_Digits,
+     Post => Line.Length in Line.Length'Old + Width
+                         .. Line.Length'Old + Numbers.Max_Digits
+       and then
+         (Line.Length = Line.Length'Old + Width
+          or else N > Numbers.Largest (Line.Length - Line.Length'Old - 1));
+   --  With zeros in front to Width digits.
 
    --  Replies
 

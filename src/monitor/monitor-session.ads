@@ -44,19 +44,18 @@ package Monitor.Session with SPARK_Mode is
 
    --  The events, each with the task that waits for it
 
-   package Server_Allowed is new Event;
-   --  The process is set up: trace, processor, memory, log level. Th_server
+   package Server_Allowed is new Event (Schedule.Th_Server);
+   --  The process is set up: trace, processor, memory, log level
 
-   package Listening is new Event;
-   --  The main procedure
+   package Listening is new Event (Schedule.Main);
 
-   package Receive_Begins is new Event;
-   --  A session begins. Th_receiveFromMon
+   package Receive_Begins is new Event (Schedule.Th_Receive_From_Mon);
+   --  A session begins
 
-   package Watch_Begins is new Event;
-   --  A session begins. Th_comMonPerdue
+   package Watch_Begins is new Event (Schedule.Th_Com_Mon_Perdue);
+   --  A session begins
 
-   package Receive_Ended is new Event;
-   --  Th_receiveFromMon has left the connection. Th_comMonPerdue
+   package Receive_Ended is new Event (Schedule.Th_Com_Mon_Perdue);
+   --  Th_receiveFromMon has left the connection
 
 end Monitor.Session;

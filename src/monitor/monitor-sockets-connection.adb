@@ -3,16 +3,15 @@
 with Ada.Real_Time;  use Ada.Real_Time;
 with Interfaces;
 with Interfaces.C;   use Interfaces.C;
-with Monitor.Sockets.Stream_Calls;
+with Schedule;
+with Trace;
 
 package body Monitor.Sockets.Connection with
   SPARK_Mode,
-  Refined_State => (Peer => (Current, Owing, Streams.Kernel))
+  Refined_State => (Peer => (Current, Owing))
 is
 
    use type Interfaces.Unsigned_16;
-
-   package Streams is new Monitor.Sockets.Stream_Calls;
 
    Current : Socket := Nobody with Atomic, Async_Readers, Async_Writers;
 
@@ -26,21 +25,21 @@ is
    type Option_Array is array (Positive range <>) of Option;
 
    Usual : constant Option_Array :=
-     ((Streams.Level_Tcp, 1, 1),          --  TCP_NODELAY
+     ((Level_Tcp, 1, 1),          --  TCP_NODELAY
       --  SO_SNDBUF, bytes; the kernel doubles it. A larger one would hold
       --  seconds of old images for a slow monitor
-      (Streams.Level_Socket, 7, 65_536),
+      (Level_Socket, 7, 65_536),
       --  SO_RCVBUF, bytes; the kernel doubles it for its own needs, and no
       --  longer adapts it. So a monitor that sends faster than the robot
       --  executes has hundreds of commands waiting here, not a megabyte
-      (Streams.Level_Socket, 8, 65_536),
+      (Level_Socket, 8, 65_536),
       --  an idle peer is probed each second. Monitor.Link judges what comes
       --  of it: the kernel would give up without saying why, much later
-      (Streams.Level_Socket, 9, 1),       --  SO_KEEPALIVE
-      (Streams.Level_Socket, 10, 1),      --  SO_OOBINLINE, for telnet
-      (Streams.Level_Tcp, 4, 1),          --  TCP_KEEPIDLE
-      (Streams.Level_Tcp, 5, 1),          --  TCP_KEEPINTVL
-      (Streams.Level_Tcp, 6, 20));        --  TCP_KEEPCNT
+      (Level_Socket, 9, 1),       --  SO_KEEPALIVE
+      (Level_Socket, 10, 1),      --  SO_OOBINLINE, for telnet
+      (Level_Tcp, 4, 1),          --  TCP_KEEPIDLE
+      (Level_Tcp, 5, 1),          --  TCP_KEEPINTVL
+      (Level_Tcp, 6, 20));        --  TCP_KEEPCNT
 
    Quick_Option : constant := 12;       --  TCP_QUICKACK
    Wait_Option  : constant := 18;       --  TCP_USER_TIMEOUT
@@ -51,7 +50,7 @@ is
       Closed : constant Socket := Current;
    begin
       Current := Nobody;
-      Streams.Close (Closed);
+      Monitor.Sockets.Close (Closed);
    end Close;
 
    procedure Expect_Life is
@@ -62,8 +61,8 @@ is
    procedure Leave_To_Kernel is
       Peer_Socket : constant Socket := Current;
    begin
-      Streams.Set_Number
-        (Peer_Socket, Streams.Level_Tcp, Wait_Option,
+      Set_Number
+        (Peer_Socket, Level_Tcp, Wait_Option,
          int (Monitor.Link.Vanished_After));
    end Leave_To_Kernel;
 
@@ -71,17 +70,19 @@ is
      (Data : in out String; Length : out Natural; Open : out Boolean)
    is
       From  : constant Socket := Current;
-      Got   : Streams.Outcome;
+      Got   : Outcome;
       Error : Integer;
    begin
       --  acknowledge at once: a sender with Nagle's algorithm holds its next
       --  command back until this one, which may have no answer, is
       --  acknowledged
-      Streams.Set_Number (From, Streams.Level_Tcp, Quick_Option, 1);
+      Set_Number (From, Level_Tcp, Quick_Option, 1);
+      Trace.Put (Trace.Done, Schedule.Th_Receive_From_Mon);
       loop
-         Streams.Receive (From, 0, Data, Got, Error);
-         exit when Got >= 0 or else Error /= Streams.Interrupted;
+         Monitor.Sockets.Receive (From, 0, Data, Got, Error);
+         exit when Got >= 0 or else Error /= Interrupted;
       end loop;
+      Trace.Put (Trace.Start, Schedule.Th_Receive_From_Mon);
       Open := Got > 0;
       Length := Integer'Max (0, Got);
    end Receive;
@@ -100,7 +101,7 @@ is
       --  no division of the whole time: its result is an Integer, which
       --  overflows after 25 days of milliseconds
       Split (Now, Whole, Rest);
-      Streams.Get_Info (Peer_Socket, Info, Filled);
+      Get_Info (Peer_Socket, Info, Filled);
       Link := Monitor.Link.Sample_Of
         (Info, Filled,
          Monitor.Link.Time_Of
@@ -116,60 +117,64 @@ is
    is
       To    : constant Socket := Current;
       Done  : Natural := 0;
-      Put   : Streams.Outcome;
+      Put   : Outcome;
       Error : Integer;
    begin
       while Done < Length loop
          pragma Loop_Invariant (Done < Length);
-         Streams.Send
+         Monitor.Sockets.Send
            (To, Send_Flags,
             Data (Data'First + Done .. Data'First + (Length - 1)),
             Put, Error);
          if Put > 0 then
             Done := Done + Put;
          else
-            exit when Put < 0 and then Error /= Streams.Interrupted;
+            exit when Put < 0 and then Error /= Interrupted;
          end if;
       end loop;
       Success := Done = Length;
       Unsent := False;
+      Trace.Put
+        (Trace.Sent, Schedule.Th_Send_To_Mon, Label => Data (1 .. 4) & "  ");
    end Send;
 
    procedure Shut_Down is
       Peer_Socket : constant Socket := Current;
    begin
-      Streams.Shut_Down (Peer_Socket, Both_Ways);
+      Monitor.Sockets.Shut_Down (Peer_Socket, Both_Ways);
    end Shut_Down;
 
    procedure Take_Over (Newcomer : Socket) is
    begin
       for O of Usual loop
-         Streams.Set_Number (Newcomer, O.Level, O.Name, O.Value);
+         Set_Number (Newcomer, O.Level, O.Name, O.Value);
       end loop;
       Owing := False;
       Current := Newcomer;
    end Take_Over;
 
    procedure Watch
-     (Wait : Ada.Real_Time.Time_Span; Loss : out Monitor.Link.Loss_Kind)
+     (Wait : Ada.Real_Time.Time_Span; Loss : out Monitor.Link.Cause)
    is
       Watched : constant Socket := Current;
-      Entries : Streams.Watch_Array (1 .. 1) :=
-        (1 => (int (Watched), Streams.Poll_Peer_Closed, 0));
+      Entries : Watch_Array (1 .. 1) :=
+        (1 => (int (Watched), Poll_Peer_Closed, 0));
       Ended   : Boolean;
       Error   : Integer := 0;
    begin
-      Streams.Poll
+      Trace.Put (Trace.Done, Schedule.Th_Com_Mon_Perdue);
+      Poll
         (Entries, int (Integer'Max (0, Wait / Milliseconds (1))));
+      Trace.Put (Trace.Start, Schedule.Th_Com_Mon_Perdue);
       Ended := Entries (1).Returned /= 0;
       if Ended then
-         Streams.Get_Error (Watched, Error);
+         Get_Error (Watched, Error);
       end if;
       Loss := Monitor.Link.Loss_Of
         (Ended  => Ended,
          Broken =>
            (Entries (1).Returned
-            and (Streams.Poll_Error + Streams.Poll_Hang_Up)) /= 0,
+            and (Poll_Error + Poll_Hang_Up)) /= 0,
          Error  => Error);
    end Watch;
 

@@ -3,22 +3,19 @@
 with Ada.Real_Time; use Ada.Real_Time;
 with Interfaces;    use Interfaces;
 with Interfaces.C;  use Interfaces.C;
-with Monitor.Sockets.Stream_Calls;
 with Schedule;
+with Trace;
 
 package body Monitor.Sockets.Gate with
   SPARK_Mode,
-  Refined_State => (Newcomers => (Waker, Streams.Kernel))
+  Refined_State => (Waiting => Waker)
 is
-
-   package Streams is new Monitor.Sockets.Stream_Calls;
-   --  Of the pending connections
 
    Waker : constant Event_Counters.Counter := Event_Counters.New_Counter;
    --  Of Wake_Server
 
-   Listening : constant Positive := Place'Last + 1;
-   Waking    : constant Positive := Place'Last + 2;
+   Coming : constant Positive := Place'Last + 1;
+   Waking : constant Positive := Place'Last + 2;
    --  Indices of the other descriptors that th_server waits for
 
    Look_Now      : constant := 16#42#;    --  MSG_PEEK, MSG_DONTWAIT
@@ -28,19 +25,20 @@ is
    Sending       : constant := 1;         --  SHUT_WR
 
    procedure Wait (Watched : Socket_Array; Pending : Boolean) is
-      Server  : constant Socket := Monitor.Sockets.Listener.Listening;
-      Entries : Streams.Watch_Array (1 .. Waking);
+      Server  : constant Socket := Listening;
+      Entries : Watch_Array (1 .. Waking);
       Ignored : Natural;
    begin
       for I in Place loop
          Entries (I).Descriptor := int (Watched (I));
       end loop;
-      Entries (Listening).Descriptor := int (Server);
+      Entries (Coming).Descriptor := int (Server);
       Entries (Waking).Descriptor := Event_Counters.Descriptor (Waker);
-      Streams.Poll
+      Poll
         (Entries,
          (if Pending then int (Schedule.Pending_Period / Milliseconds (1))
           else -1));
+      Trace.Put (Trace.Start, Schedule.Th_Server);
       if Entries (Waking).Returned /= 0 then
          Event_Counters.Take (Waker, Ignored);
       end if;
@@ -57,14 +55,14 @@ is
       Length : out Natural;
       Open   : out Boolean)
    is
-      Got           : Streams.Outcome;
+      Got           : Outcome;
       Error         : Integer;
       Ignored_Error : Integer;
    begin
-      Streams.Receive (From, Look_Now, Data, Got, Error);
+      Receive (From, Look_Now, Data, Got, Error);
       Open := Got > 0
         or else (Got < 0
-                 and then Error in Streams.Try_Again | Streams.Interrupted);
+                 and then Error in Try_Again | Interrupted);
       Length := Integer'Max (0, Got);
       for I in 1 .. Length loop
          pragma Loop_Invariant (Length = Got);
@@ -74,7 +72,7 @@ is
          end if;
       end loop;
       if Length > 0 then
-         Streams.Receive
+         Receive
            (From, Receive_Now, Data (Data'First .. Data'First + (Length - 1)),
             Got, Ignored_Error);
          Length := Integer'Max (0, Got);
@@ -83,19 +81,19 @@ is
 
    procedure Refuse (Refused : Socket; Message : String) is
       Ignored_Data  : String (1 .. 256) := (others => ' ');
-      Ignored_Count : Streams.Outcome;
+      Ignored_Count : Outcome;
       Ignored_Error : Integer;
    begin
       --  message and FIN in one packet, which takes half the time: there may
       --  be a flood of rejections
-      Streams.Send
+      Send
         (Refused, Send_With_End, Message, Ignored_Count, Ignored_Error);
-      Streams.Shut_Down (Refused, Sending);
+      Shut_Down (Refused, Sending);
       --  unread data would turn the close into a reset, which could overtake
       --  the message
-      Streams.Receive
+      Receive
         (Refused, Receive_Now, Ignored_Data, Ignored_Count, Ignored_Error);
-      Streams.Close (Refused);
+      Close (Refused);
    end Refuse;
 
 end Monitor.Sockets.Gate;

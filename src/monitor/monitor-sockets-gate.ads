@@ -2,13 +2,12 @@
 --  The pending connections, which are to be admitted or rejected.
 
 with Event_Counters;
-with Monitor.Sockets.Listener;
 
 package Monitor.Sockets.Gate with
   SPARK_Mode,
   Abstract_State =>
-    (Newcomers with Synchronous, External => (Async_Readers, Async_Writers)),
-  Initializes => (Newcomers => Event_Counters.Kernel)
+    (Waiting with Synchronous, External => (Async_Readers, Async_Writers)),
+  Initializes => (Waiting => Event_Counters.Kernel)
 is
 
    subtype Place is Positive range 1 .. 9;
@@ -16,16 +15,12 @@ is
 
    type Socket_Array is array (Place) of Socket;
 
-   procedure Wait (Watched : Socket_Array; Pending : Boolean)
-   with
-     Global => (Input  => Monitor.Sockets.Listener.Kernel,
-                In_Out => (Newcomers, Event_Counters.Kernel));
+   procedure Wait (Watched : Socket_Array; Pending : Boolean);
    --  Waits for input from one of the sockets Watched, or its end, for a
    --  connection in the kernel's queue, or for Wake_Server; Pending: at most
    --  for Schedule.Pending_Period. May return early
 
-   procedure Wake_Server
-   with Global => (Input => Newcomers, In_Out => Event_Counters.Kernel);
+   procedure Wake_Server;
 
    procedure Read_Line
      (From   : Socket;
@@ -33,14 +28,12 @@ is
       Length : out Natural;
       Open   : out Boolean)
    with
-     Global => (In_Out => Newcomers),
-     Pre    => Data'First > 0,
-     Post   => Length <= Data'Length;
+     Pre  => Data'First > 0,
+     Post => Length <= Data'Length;
    --  What the peer has sent, up to the first line feed: what follows is left
    --  for the session. Never waits. Not Open: the peer has closed
 
-   procedure Refuse (Refused : Socket; Message : String)
-   with Global => (In_Out => Newcomers);
+   procedure Refuse (Refused : Socket; Message : String);
    --  Sends Message to the client and closes its connection; never waits
 
 end Monitor.Sockets.Gate;

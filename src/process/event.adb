@@ -11,12 +11,8 @@ package body Event with SPARK_Mode is
    --  Before the last Wait. Shared by nobody on purpose: a second task that
    --  waits is a data race
 
-   procedure Set is
-   begin
-      Event_Counters.Add (Counter);
-   end Set;
-
-   procedure Wait is
+   procedure Take is
+      --  Waits until the event has been set
       Now : Time;
    begin
       loop
@@ -26,11 +22,25 @@ package body Event with SPARK_Mode is
          Now := Clock;
          delay until Now + Milliseconds (1);
       end loop;
+   end Take;
+
+   procedure Set (Number : Commands.Ticket := 0) is
+   begin
+      Trace.Put (Trace.Release, Who, Number);
+      Event_Counters.Add (Counter);
+   end Set;
+
+   procedure Wait is
+   begin
+      Trace.Put (Trace.Done, Who);
+      Take;
+      Trace.Put (Trace.Start, Who);
    end Wait;
 
    procedure Wait_Until (At_Time : Time; Was_Set : out Boolean) is
       Now : Time;
    begin
+      Trace.Put (Trace.Done, Who);
       loop
          Now := Clock;
          Event_Counters.Take_Within
@@ -43,6 +53,17 @@ package body Event with SPARK_Mode is
          delay until Now + Milliseconds (1);
       end loop;
       Was_Set := Times_Set > 0;
+      if not Was_Set then
+         Trace.Put_Due (Who, At_Time);
+      end if;
+      Trace.Put (Trace.Start, Who);
    end Wait_Until;
+
+   procedure Wait_In_Job (Why : Trace.Label_Text) is
+   begin
+      Trace.Put (Trace.Wait, Who, Label => Why);
+      Take;
+      Trace.Put (Trace.Resume, Who);
+   end Wait_In_Job;
 
 end Event;

@@ -5,7 +5,6 @@ with Console;
 with Interfaces;   use Interfaces;
 with Interfaces.C; use Interfaces.C;
 with Linux;        use Linux;
-with Process;
 with System;
 
 package body Event_Counters with
@@ -26,8 +25,7 @@ is
       Made : constant Counter := Counter (Event_Counter (0, Event_Blocking));
    begin
       if Made < 0 then
-         Console.Put_Log ("destijl: no file descriptor is left for an event");
-         Process.Leave (Process.Cannot_Start);
+         Console.Cannot_Start ("no file descriptor is left for an event");
       end if;
       return Made;
    end New_Counter;

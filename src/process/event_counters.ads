@@ -14,8 +14,6 @@ is
 
    type Counter is private;
 
-   None : constant Counter;
-
    function Descriptor (C : Counter) return Interfaces.C.int;
    --  To wait for it with others: ready while the counter is not zero
 
@@ -43,8 +41,6 @@ is
 private
 
    type Counter is range -1 .. 2 ** 31 - 1 with Size => 32;
-
-   None : constant Counter := -1;
 
    function Descriptor (C : Counter) return Interfaces.C.int is
      (Interfaces.C.int (C));

@@ -1,16 +1,25 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  The object only locks; Log_Lines decides.
 
 with Ada.Real_Time; use Ada.Real_Time;
+with Bounded_Queues;
 with Event;
 with Schedule;
-with Trace;
 
 package body Journal with SPARK_Mode is
 
    use type Options.Level;
 
-   package Arrived is new Event;
+   package Arrived is new Event (Schedule.Th_Console);
+
+   package Queues is new Bounded_Queues (Line, Capacity);
+
+   type Lines is record
+      Kept     : Queues.Queue;
+      Not_Kept : Natural := 0;
+      --  dropped after those, for lack of room
+      Writing  : Boolean := False;
+      --  the line taken last is not yet on the console
+   end record;
 
    Start : constant Time := Clock;
 
@@ -19,42 +28,91 @@ package body Journal with SPARK_Mode is
    --  The most detailed level logged. Outside the buffer: a line that is not
    --  logged needs neither a lock nor the time of day
 
-   procedure Put_Part
-     (Level : Options.Level; Now : Instant; Text : String; After : Natural)
-   with Pre => After <= Text'Length;
-   --  A line of Text, without its first After characters
+   procedure Keep (S : in out Lines; Item : Line)
+   with
+     Post => S.Writing = S'Old.Writing
+       and then
+         (if Queues.Is_Full (S'Old.Kept) then
+             Queues.Is_Same (S.Kept, S'Old.Kept)
+             and then S.Not_Kept =
+               Natural'Min (Natural'Last - 1, S'Old.Not_Kept) + 1
+          else Queues.Begins_With (S.Kept, S'Old.Kept)
+             and then Queues.Length (S.Kept) =
+               Queues.Length (S'Old.Kept) + 1
+             and then Queues.Element_At
+               (S.Kept, Queues.Length (S.Kept)) = Item
+             and then S.Not_Kept = S'Old.Not_Kept)
+   is
+   begin
+      if not Queues.Is_Full (S.Kept) then
+         Queues.Put (S.Kept, Item);
+      elsif S.Not_Kept < Natural'Last then
+         S.Not_Kept := S.Not_Kept + 1;
+      end if;
+   end Keep;
+
+   procedure Remove
+     (S       : in out Lines;
+      Item    : out Line;
+      Found   : out Boolean;
+      Missing : out Natural)
+   with
+     Post => Found = (Queues.Length (S'Old.Kept) > 0)
+       and then S.Writing = Found
+       and then Missing = (if Found then S'Old.Not_Kept else 0)
+       and then
+         (if Missing > 0 then
+             Queues.Is_Same (S.Kept, S'Old.Kept) and then S.Not_Kept = 0
+          else S.Not_Kept = S'Old.Not_Kept
+            and then
+              (if Found then
+                  Item = Queues.Element_At (S'Old.Kept, 1)
+                  and then Queues.Is_Without_First (S.Kept, S'Old.Kept)))
+   is
+      --  The oldest line. Missing > 0: the number of lines dropped before it;
+      --  then Item has only a level and a time
+   begin
+      if Queues.Length (S.Kept) > 0 and then S.Not_Kept > 0 then
+         Found := True;
+         Missing := S.Not_Kept;
+         Item :=
+           (Level  => Options.Warning,
+            Time   => Queues.Element_At (S.Kept, 1).Time,
+            others => <>);
+         S.Not_Kept := 0;
+      else
+         Queues.Take (S.Kept, Item, Found);
+         Missing := 0;
+      end if;
+      S.Writing := Found;
+   end Remove;
 
    protected Buffer with Priority => Schedule.Journal_Ceiling is
       procedure Put (Item : Line);
       procedure Take
         (Item : out Line; Found : out Boolean; Missing : out Natural);
-      procedure Written;
       procedure Get_Waiting (Waiting : out Natural);
    private
-      State : Log_Lines.State;
+      State : Lines;
    end Buffer;
 
    protected body Buffer is
 
       procedure Put (Item : Line) is
       begin
-         Log_Lines.Put (State, Item);
+         Keep (State, Item);
       end Put;
 
       procedure Take
         (Item : out Line; Found : out Boolean; Missing : out Natural) is
       begin
-         Log_Lines.Take (State, Item, Found, Missing);
+         Remove (State, Item, Found, Missing);
       end Take;
-
-      procedure Written is
-      begin
-         Log_Lines.Written (State);
-      end Written;
 
       procedure Get_Waiting (Waiting : out Natural) is
       begin
-         Waiting := Log_Lines.Waiting (State);
+         Waiting := Queues.Length (State.Kept)
+           + (if State.Writing then 1 else 0);
       end Get_Waiting;
 
    end Buffer;
@@ -88,6 +146,23 @@ package body Journal with SPARK_Mode is
       Kept := Level <= Last_Kept;
    end Get_Kept;
 
+   procedure Put_Part
+     (Level : Options.Level; Now : Instant; Text : String; After : Natural)
+   with Pre => After <= Text'Length
+   is
+      --  A line of Text, without its first After characters
+      Item : Line := (Level => Level, Time => Now, others => <>);
+   begin
+      Item.Length := Natural'Min (Max_Text, Text'Length - After);
+      for K in 1 .. Item.Length loop
+         Item.Text (K) := Text (Text'First + (After + (K - 1)));
+         if Item.Text (K) not in ' ' .. '~' then
+            Item.Text (K) := '?';
+         end if;
+      end loop;
+      Buffer.Put (Item);
+   end Put_Part;
+
    procedure Put (Level : Options.Level; Text : String) is
       Kept : Boolean;
       Now  : Instant;
@@ -103,7 +178,6 @@ package body Journal with SPARK_Mode is
             pragma Loop_Invariant (Done <= Text'Length);
             pragma Loop_Variant (Increases => Done);
          end loop;
-         Trace.Release (Schedule.Th_Console);
          Arrived.Set;
       end if;
    end Put;
@@ -113,34 +187,16 @@ package body Journal with SPARK_Mode is
       Put (Level, Text.Data (1 .. Text.Length));
    end Put;
 
-   procedure Put_Part
-     (Level : Options.Level; Now : Instant; Text : String; After : Natural)
-   is
-      Item : Line := (Level => Level, Time => Now, others => <>);
-   begin
-      Item.Length := Natural'Min (Max_Text, Text'Length - After);
-      for K in 1 .. Item.Length loop
-         Item.Text (K) := Text (Text'First + (After + (K - 1)));
-         if Item.Text (K) not in ' ' .. '~' then
-            Item.Text (K) := '?';
-         end if;
-      end loop;
-      Buffer.Put (Item);
-   end Put_Part;
-
    procedure Take (Item : out Line) is
       Found   : Boolean;
       Missing : Natural;
       Told    : Texts.Text;
    begin
-      Trace.Done (Schedule.Th_Console);
       loop
          Buffer.Take (Item, Found, Missing);
          exit when Found;
-         Trace.Idle (Schedule.Th_Console);
          Arrived.Wait;
       end loop;
-      Trace.Start (Schedule.Th_Console);
       if Missing > 0 then
          Texts.Append (Told, Missing);
          Texts.Append
@@ -149,11 +205,6 @@ package body Journal with SPARK_Mode is
          Item.Text (1 .. Told.Length) := Told.Data (1 .. Told.Length);
       end if;
    end Take;
-
-   procedure Written is
-   begin
-      Buffer.Written;
-   end Written;
 
    procedure Get_Waiting (Count : out Natural) is
    begin

@@ -2,22 +2,31 @@
 --  The log on its way to the console: a bounded buffer, so that no task waits
 --  for the console.
 
-with Log_Lines;
 with Options;
 with Texts;
 
 package Journal with SPARK_Mode is
 
-   Capacity : constant := Log_Lines.Capacity;
+   Capacity : constant := 256;
    --  Lines that wait for the console. Further lines are dropped; their number
    --  is logged as soon as there is room again
 
-   subtype Instant is Log_Lines.Instant;
+   Max_Text : constant := 232;
+   --  Characters of a line: at most 256 bytes are copied under the lock. A
+   --  longer one continues in the next line
 
-   Max_Text : constant := Log_Lines.Max_Text;
-   --  Characters of a line. A longer one continues in the next line
+   type Instant is record
+      Seconds     : Natural := 0;
+      Thousandths : Natural range 0 .. 999 := 0;
+   end record;
+   --  The time since the supervisor started
 
-   subtype Line is Log_Lines.Line;
+   type Line is record
+      Level  : Options.Level := Options.Info;
+      Time   : Instant;
+      Length : Natural range 0 .. Max_Text := 0;
+      Text   : String (1 .. Max_Text) := (others => ' ');
+   end record;
 
    procedure Set_Level (Least : Options.Level)
    with Annotate => (GNATprove, Terminating);
@@ -35,13 +44,11 @@ package Journal with SPARK_Mode is
    --  ASCII are shown as '?'
 
    procedure Take (Item : out Line);
-   --  The oldest line; waits for it. For the console's task only
+   --  The oldest line; waits for it. The one taken before is on the console.
+   --  For the console's task only
 
    procedure Get_Waiting (Count : out Natural)
    with Annotate => (GNATprove, Terminating);
-   --  Number of lines not yet written
-
-   procedure Written with Annotate => (GNATprove, Terminating);
-   --  The line taken last is on the console
+   --  Number of lines that are not yet on the console
 
 end Journal;

@@ -19,10 +19,7 @@ package Linux with SPARK_Mode => Off is
       Returned   : short := 0;
    end record with Convention => C;
 
-   type Poll_Array is array (Positive range <>) of Poll_Entry
-     with Convention => C;
-
-   Poll_In      : constant short := 16#0001#;
+   Poll_In : constant short := 16#0001#;
 
    type Time_Spec is record
       Seconds     : long;
@@ -51,7 +48,8 @@ package Linux with SPARK_Mode => Off is
    with Import, Convention => C, External_Name => "close";
    --  No result: nothing can be done about a failure
 
-   function Open_File (Path : char_array; Flags : int) return int
+   function Open_File
+     (Path : char_array; Flags : int; Mode : unsigned := 0) return int
    with Import, Convention => C_Variadic_2, External_Name => "open";
 
    To_Read_Only : constant int := 8#2004400#;
@@ -80,6 +78,13 @@ package Linux with SPARK_Mode => Off is
    Close_On_Exec : constant unsigned_long := 16#5451#;
    --  FIOCLEX. For what GNAT's library opens: a program that OpenCV's
    --  libraries start, such as GStreamer's scanner, inherits nothing
+
+   function Set_Scheduler
+     (Thread, Policy : int; Priority : System.Address) return int
+   with Import, Convention => C, External_Name => "sched_setscheduler";
+
+   Time_Shared        : constant int := 0;  --  SCHED_OTHER
+   First_In_First_Out : constant int := 1;  --  SCHED_FIFO
 
    function Own_Process return int
    with Import, Convention => C, External_Name => "getpid";

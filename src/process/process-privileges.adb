@@ -29,23 +29,13 @@ package body Process.Privileges with SPARK_Mode => Off is
    procedure Set_Limit (Resource : int; Limit : System.Address)
    with Import, Convention => C, External_Name => "setrlimit";
 
-   Time_Shared        : constant int := 0;  --  SCHED_OTHER
-   First_In_First_Out : constant int := 1;  --  SCHED_FIFO
-
    function Get_Policy (Thread : int) return int
    with Import, Convention => C, External_Name => "sched_getscheduler";
 
    procedure Get_Priority (Thread : int; Priority : System.Address)
    with Import, Convention => C, External_Name => "sched_getparam";
 
-   function Set_Policy
-     (Thread, Policy : int; Priority : System.Address) return int
-   with Import, Convention => C, External_Name => "sched_setscheduler";
-
    Found : Scheduling := Not_Permitted;
-
-   function Has (Which : Capability) return Boolean;
-   --  In effect, if only for a namespace of users
 
    function Effective_User return unsigned
    with Export, Convention => C, External_Name => "__wrap_geteuid";
@@ -56,6 +46,7 @@ package body Process.Privileges with SPARK_Mode => Off is
    --  of them gets one
 
    function Has (Which : Capability) return Boolean is
+      --  In effect, if only for a namespace of users
       Header : Word_Array := (16#2008_0522#, 0);
       --  version 3, this process. The kernel may write there, and qemu
       --  refuses what is not writable
@@ -74,8 +65,9 @@ package body Process.Privileges with SPARK_Mode => Off is
       Limit   : Limit_Pair := (others => 0);  --  soft, hard
 
       function Is_Granted (Priority : int) return Boolean is
-        (Set_Policy (0, First_In_First_Out, Priority'Address) = 0
-         and then Set_Policy (0, Policy, Before'Address) = 0);
+        (Linux.Set_Scheduler
+           (0, Linux.First_In_First_Out, Priority'Address) = 0
+         and then Linux.Set_Scheduler (0, Policy, Before'Address) = 0);
 
    begin
       Get_Priority (0, Before'Address);
@@ -91,7 +83,8 @@ package body Process.Privileges with SPARK_Mode => Off is
          Limit (1) := 0;
          Set_Limit (Priorities, Limit'Address);
          --  also one that it was started with
-         Ignored := Set_Policy (0, Time_Shared, Lowest'Address);
+         Ignored := Linux.Set_Scheduler
+           (0, Linux.Time_Shared, Lowest'Address);
       end if;
       return (if Found = Fifo_With_Ceilings then 0 else 1);
    end Effective_User;

@@ -3,6 +3,7 @@
 with Interfaces;   use Interfaces;
 with Interfaces.C; use Interfaces.C;
 with Linux;
+with Schedule;
 with System;
 
 package body Process.Signals with SPARK_Mode => Off is
@@ -57,10 +58,12 @@ package body Process.Signals with SPARK_Mode => Off is
    procedure Wait (Signal : out Kind) is
       Number : int := 0;
    begin
+      Trace.Put (Trace.Done, Schedule.Th_Stop);
       loop
          exit when Get_Next (Blocked'Address, Number'Address) = 0
            and then (Bit (Number) and To_Discard) = 0;
       end loop;
+      Trace.Put (Trace.Start, Schedule.Th_Stop);
       Signal := (if Number = Internal then Failure else Stop_Request);
    end Wait;
 

@@ -1,6 +1,8 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
 --  The signals that end the process. They are blocked before any task runs.
 
+with Trace;
+
 package Process.Signals with SPARK_Mode is
 
    pragma Elaborate_Body;
@@ -13,8 +15,8 @@ package Process.Signals with SPARK_Mode is
       --  Report_Failure
 
    procedure Wait (Signal : out Kind)
-   with Global => (In_Out => System_State);
-   --  Waits for one. For one task only
+   with Global => (In_Out => (System_State, Trace.Recorder));
+   --  Waits for one. For th_stop only
 
    procedure Report_Failure with Global => (In_Out => System_State);
    --  Makes Wait return Failure; never waits

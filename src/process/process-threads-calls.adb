@@ -6,15 +6,18 @@ with System;
 
 package body Process.Threads.Calls with
   SPARK_Mode    => Off,
-  Refined_State => (Table => (Numbers, Sets))
+  Refined_State => (Table => (Numbers, Sets, Kept))
 is
    --  Off: addresses are passed to C. Each number is written by its own task
    --  alone, the sets are written before any task reads them
 
-   Numbers : array (Schedule.Task_Name) of Natural := (others => No_Thread)
+   Numbers : array (Schedule.Task_Name) of Natural := (others => 0)
      with Atomic_Components;
-   Sets    : Processor_Sets.Division;
-   Size    : constant size_t := Processor_Sets.Set'Size / 8;
+   --  Of the threads in the system; 0: the task has not entered
+   Sets    : Division;
+   Kept    : Boolean := False with Atomic;
+   --  Sets holds
+   Size    : constant size_t := Set'Size / 8;
 
    Room : constant := 32_768;  --  as GNAT's tasks have without Ravenscar
 
@@ -42,7 +45,7 @@ is
    procedure Set_Affinity (Thread : int; Size : size_t; Set : System.Address)
    with Import, Convention => C, External_Name => "sched_setaffinity";
 
-   procedure Get_Allowed (Allowed : out Processor_Sets.Set) is
+   procedure Get_Allowed (Allowed : out Set) is
    begin
       Allowed := (others => False);
       Get_Affinity (Linux.Own_Process, Size, Allowed'Address);
@@ -63,32 +66,32 @@ is
       end loop;
    end Touch_Stack;
 
-   procedure Enter (Who : Schedule.Task_Name; Thread : out Natural) is
+   procedure Keep_Thread (Thread : Natural; Real_Time : Boolean) is
+   begin
+      Set_Affinity (int (Thread), Size, Sets (Real_Time)'Address);
+   end Keep_Thread;
+
+   procedure Enter (Who : Schedule.Task_Name) is
       Own : Stack := (Start => Signal_Stacks (Who)'Address, others => <>);
    begin
       Set_Signal_Stack (Own'Address, System.Null_Address);
-      Thread := Natural (Own_Thread);
-      Numbers (Who) := Thread;
+      Numbers (Who) := Natural (Own_Thread);
+      if Kept then
+         Keep_Thread (Numbers (Who), Schedule.Table (Who).Real_Time);
+      end if;
    end Enter;
 
-   procedure Get_Thread (Who : Schedule.Task_Name; Thread : out Natural) is
-   begin
-      Thread := Numbers (Who);
-   end Get_Thread;
-
-   procedure Get_Main (Thread : out Natural) is
-   begin
-      Thread := Natural (Linux.Own_Process);
-   end Get_Main;
-
-   procedure Put_Sets (Sets : Processor_Sets.Division) is
+   procedure Keep (Sets : Division) is
    begin
       Calls.Sets := Sets;
-   end Put_Sets;
-
-   procedure Keep (Thread : Natural; Real_Time : Boolean) is
-   begin
-      Set_Affinity (int (Thread), Size, Sets (Real_Time)'Address);
+      --  before the threads are looked at: one that enters now keeps itself
+      Kept := True;
+      Keep_Thread (Natural (Linux.Own_Process), False);
+      for Who in Schedule.Task_Name loop
+         if Numbers (Who) > 0 then
+            Keep_Thread (Numbers (Who), Schedule.Table (Who).Real_Time);
+         end if;
+      end loop;
    end Keep;
 
 end Process.Threads.Calls;

@@ -2,8 +2,6 @@
 --  The calls for the threads of the process, and the table of its tasks'
 --  threads.
 
-with Processor_Sets;
-
 private package Process.Threads.Calls with
   SPARK_Mode,
   Abstract_State =>
@@ -13,9 +11,7 @@ private package Process.Threads.Calls with
   Initializes => Table
 is
 
-   No_Thread : constant := 0;
-
-   procedure Get_Allowed (Allowed : out Processor_Sets.Set)
+   procedure Get_Allowed (Allowed : out Set)
    with Global => (In_Out => System_State);
    --  The processors that the process may run on; none if this is not known
 
@@ -29,27 +25,14 @@ is
    --  The calling task's stack is in memory, to the depth that the tasks
    --  without images reach
 
-   procedure Enter (Who : Schedule.Task_Name; Thread : out Natural)
-   with Global => (In_Out => Table);
-   --  The calling task is Who. Thread: its number in the system. From here on
-   --  a handler of signals has room where the task's stack has overflowed
+   procedure Enter (Who : Schedule.Task_Name)
+   with Global => (In_Out => (Table, System_State));
+   --  The calling task is Who. From here on a handler of signals has room
+   --  where the task's stack has overflowed, and the task runs on the
+   --  processors of Keep
 
-   procedure Get_Thread (Who : Schedule.Task_Name; Thread : out Natural)
-   with Global => (In_Out => Table);
-   --  No_Thread: it has not entered
-
-   procedure Get_Main (Thread : out Natural)
-   with Global => (In_Out => System_State);
-   --  The main procedure's
-
-   procedure Put_Sets (Sets : Processor_Sets.Division)
-   with Global => (In_Out => Table);
-   --  For Keep. Once
-
-   procedure Keep (Thread : Natural; Real_Time : Boolean)
-   with Global => (In_Out => (Table, System_State)),
-        Pre    => Thread /= No_Thread;
-   --  From here on the thread runs on the processors of its kind. After
-   --  Put_Sets
+   procedure Keep (Sets : Division)
+   with Global => (In_Out => (Table, System_State));
+   --  From here on the threads run on these processors. Once
 
 end Process.Threads.Calls;

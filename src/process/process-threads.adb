@@ -1,60 +1,77 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
 
 with Process.Threads.Calls;
-with Processor_Sets;
 
 package body Process.Threads with
   SPARK_Mode,
-  Refined_State => (Named => (Calls.Table, Kept))
+  Refined_State => (Named => Calls.Table)
 is
 
-   Kept : Boolean := False with Atomic, Async_Readers, Async_Writers;
-   --  The sets of Calls hold
+   procedure Name_Task (Who : Schedule.Task_Name) is
+   begin
+      Calls.Set_Name (Schedule.Name_Of (Who) & ASCII.NUL);
+      if Schedule.Table (Who).Real_Time then
+         Calls.Touch_Stack;
+      end if;
+      Calls.Enter (Who);
+   end Name_Task;
 
    procedure Keep_On
      (Cpu : in out Options.Processor_Choice; Alone, Done : out Boolean)
    is
-      Allowed : Processor_Sets.Set;
-      Sets    : Processor_Sets.Division;
-      Thread  : Natural;
+      Allowed : Set;
+      Sets    : Division;
    begin
       Calls.Get_Allowed (Allowed);
-      Alone := Processor_Sets.Is_Alone (Allowed);
-      Cpu := Processor_Sets.Chosen (Allowed, Cpu);
-      Done := Processor_Sets.May_Have (Allowed, Cpu);
+      Alone := Is_Alone (Allowed);
+      if Cpu = Options.Last_Processor then
+         Cpu := Last_Of (Allowed);
+      end if;
+      Done := Cpu = Options.No_Processor
+        or else (Cpu in Options.Processor and then Allowed (Cpu));
       if Done and then Cpu in Options.Processor then
-         Processor_Sets.Divide (Allowed, Cpu, Sets);
-         Calls.Put_Sets (Sets);
-         --  before the threads are looked at: one that gets its name now
-         --  keeps itself
-         Kept := True;
-         Calls.Get_Main (Thread);
-         if Thread /= Calls.No_Thread then
-            Calls.Keep (Thread, False);
-         end if;
-         for Who in Schedule.Task_Name loop
-            Calls.Get_Thread (Who, Thread);
-            if Thread /= Calls.No_Thread then
-               Calls.Keep (Thread, Schedule.Table (Who).Real_Time);
-            end if;
-         end loop;
+         Divide (Allowed, Cpu, Sets);
+         Calls.Keep (Sets);
       end if;
    end Keep_On;
 
-   procedure Name_Task (Who : Schedule.Task_Name) is
-      Real_Time : constant Boolean := Schedule.Table (Who).Real_Time;
-      Thread    : Natural;
-      Keeps     : Boolean;
+   procedure Sleep_Until
+     (Who     : Schedule.Task_Name;
+      At_Time : Ada.Real_Time.Time;
+      Why     : Trace.Label_Text := Trace.No_Label)
+   is
+      In_Job : constant Boolean := Why /= Trace.No_Label;
    begin
-      Calls.Set_Name (Schedule.Name_Of (Who) & ASCII.NUL);
-      if Real_Time then
-         Calls.Touch_Stack;
+      Trace.Put ((if In_Job then Trace.Wait else Trace.Done), Who,
+                 Label => Why);
+      delay until At_Time;
+      Trace.Put_Due (Who, At_Time);
+      Trace.Put ((if In_Job then Trace.Resume else Trace.Start), Who);
+   end Sleep_Until;
+
+   function Last_Of (Allowed : Set) return Options.Processor is
+   begin
+      for I in reverse Set'Range loop
+         if Allowed (I) then
+            return I;
+         end if;
+         pragma Loop_Invariant
+           (for all J in I .. Set'Last => not Allowed (J));
+      end loop;
+      return 0;
+   end Last_Of;
+
+   procedure Divide
+     (Allowed : Set; Cpu : Options.Processor; Sets : out Division)
+   is
+      Alone : constant Boolean := Is_Alone (Allowed);
+   begin
+      Sets := (others => (others => False));
+      Sets (True) (Cpu) := True;
+      Sets (False) := Allowed;
+      if not Alone then
+         Sets (False) (Cpu) := False;
       end if;
-      Calls.Enter (Who, Thread);
-      Keeps := Kept;
-      if Keeps and then Thread /= Calls.No_Thread then
-         Calls.Keep (Thread, Real_Time);
-      end if;
-   end Name_Task;
+   end Divide;
 
 end Process.Threads;

@@ -3,6 +3,7 @@
 with Ada.Command_Line;
 with GNAT.OS_Lib;
 with Interfaces.C; use Interfaces.C;
+with Linux;
 
 package body Process with
   SPARK_Mode    => Off,
@@ -32,6 +33,13 @@ is
    begin
       Exit_At_Once (int (Status));
    end Leave;
+
+   procedure Give_Up_Priority is
+      Lowest  : constant int := 0;
+      Ignored : int;
+   begin
+      Ignored := Linux.Set_Scheduler (0, Linux.Time_Shared, Lowest'Address);
+   end Give_Up_Priority;
 
    procedure Describe (Error : Integer; Text : out Texts.Text) is
    begin

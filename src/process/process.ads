@@ -39,6 +39,12 @@ is
    with Global => (In_Out => System_State), No_Return;
    --  Ends the process at once, with all its tasks
 
+   procedure Give_Up_Priority
+   with
+     Global   => (In_Out => System_State),
+     Annotate => (GNATprove, Terminating);
+   --  The calling task has the priority of ordinary programs from here on
+
    procedure Describe (Error : Integer; Text : out Texts.Text)
    with Global => null, Annotate => (GNATprove, Terminating);
    --  Errno in words, such as "No such file or directory"

@@ -2,214 +2,161 @@
 
 with Ada.Real_Time; use Ada.Real_Time;
 with Interfaces;    use Interfaces;
-with Process;
-with Trace.Calls;   use Trace.Calls;
+with Process.Files;
 with Trace.Ring;    use Trace.Ring;
 
 package body Trace with
   SPARK_Mode,
-  Refined_State =>
-    (Recorder =>
-       (On, File, First, Trace.Calls.System_State, Trace.Ring.Memory))
+  Refined_State => (Recorder => (On, File, First, Trace.Ring.Memory))
 is
+
+   use type Commands.Ticket;
 
    On    : Boolean := False
      with Atomic, Async_Readers, Async_Writers;
-   File  : Descriptor := None
+   File  : Process.Files.Descriptor := 0
      with Atomic, Async_Readers, Async_Writers;
-   First : Unsigned_64 := 0
+   First : Time := Time_First
      with Atomic, Async_Readers, Async_Writers;
    --  When the recording began
 
-   No_Label : constant Label_Text := (others => ' ');
-
    Longest : constant := 80;
-   --  No line is longer, and Line_Of makes two at most
-
-   function To_Natural (Value : Unsigned_64) return Natural is
-     (if Value < 2 ** 31 then Natural (Value) else Natural'Last);
-
-   procedure Open_Seekable
-     (Path  : Texts.Text;
-      Flags : Open_Flags;
-      File  : out Descriptor;
-      Error : out Error_Number)
-   with
-     Global => (In_Out => Calls.System_State),
-     Post   => (File = None) = (Error > 0)
-   is
-      Opened : Outcome;
-      Sought : Outcome;
-   begin
-      File := None;
-      Error := 0;
-      Calls.Open (Path, Flags, Opened);
-      if Opened < 0 then
-         Error := -Opened;
-      else
-         Calls.Seek_Start (Opened, Sought);
-         if Sought < 0 then
-            Error := -Sought;
-            Calls.Close (Opened);
-         else
-            File := Opened;
-         end if;
-      end if;
-   end Open_Seekable;
-
-   procedure Set_Reason (Reason : out Texts.Text; Error : Error_Number) is
-      --  The error message for Error, "" for 0
-   begin
-      if Error = 0 then
-         Texts.Set (Reason, "");
-      else
-         Process.Describe (Error, Reason);
-      end if;
-   end Set_Reason;
-
-   procedure Put
-     (Kind   : Event_Kind;
-      Who    : Task_Name;
-      Number : Unsigned_64 := 0;
-      Label  : Label_Text := No_Label)
-   is
-      --  Records an event with the current time, if recording
-      Recording : constant Boolean := On;
-      Now       : Unsigned_64;
-   begin
-      if Recording then
-         Calls.Get_Time (Now);
-         Ring.Put ((Now, Number, Who, Kind, Label));
-      end if;
-   end Put;
+   --  No line is longer
 
    procedure Try
      (Path : Texts.Text; Success : out Boolean; Reason : out Texts.Text)
    is
-      Opened : Descriptor;
-      Error  : Error_Number;
+      Opened : Process.Files.Outcome;
    begin
-      Open_Seekable (Path, Calls.Existing, Opened, Error);
-      if Error = Calls.Not_Found then
-         Open_Seekable (Path, Calls.New_Only, Opened, Error);
-         if Error = 0 then
-            Calls.Remove (Path);
+      Process.Files.Open (Path, Process.Files.None, Opened);
+      if Opened = -Process.Files.Not_Found then
+         Process.Files.Open (Path, Process.Files.New_Only, Opened);
+         if Opened >= 0 then
+            Process.Files.Remove (Path);
          end if;
       end if;
-      if Error = 0 then
-         Calls.Close (Opened);
+      Success := Opened >= 0;
+      Process.Describe (-Integer'Min (0, Opened), Reason);
+      if Success then
+         Process.Files.Close (Opened);
       end if;
-      Success := Error = 0;
-      Set_Reason (Reason, Error);
    end Try;
 
    procedure Open
      (Path : Texts.Text; Success : out Boolean; Reason : out Texts.Text)
    is
-      Opened : Descriptor;
-      Error  : Error_Number;
-      Now    : Unsigned_64;
+      Opened : Process.Files.Outcome;
+      Now    : Time;
    begin
-      Open_Seekable (Path, Calls.New_Also, Opened, Error);
-      Success := Error = 0;
-      Set_Reason (Reason, Error);
+      Process.Files.Open (Path, Process.Files.New_Also, Opened);
+      Success := Opened >= 0;
+      Process.Describe (-Integer'Min (0, Opened), Reason);
       if Success then
          File := Opened;
-         Calls.Empty (Opened);
+         Process.Files.Empty (Opened);
          Ring.Reset;
-         Calls.Ignore_Size_Signal;
-         Calls.Get_Time (Now);
+         Ring.Get_Time (Now);
          First := Now;
          On := True;
       end if;
    end Open;
 
    procedure Write
-     (Into : Descriptor; Text : Texts.Text; Error : in out Error_Number)
-   with Global => (In_Out => Calls.System_State)
+     (Into  : Process.Files.Descriptor;
+      Text  : Texts.Text;
+      Error : in out Process.Files.Error_Number)
+   with Global => (In_Out => Process.System_State)
    is
       --  No effect after an Error
       Done   : Natural := 0;
-      Result : Outcome;
+      Result : Process.Files.Outcome;
    begin
       while Error = 0 and then Done < Text.Length loop
          pragma Loop_Invariant (Done < Text.Length);
          pragma Loop_Variant (Increases => Done);
-         Calls.Write (Into, Text.Data (Done + 1 .. Text.Length), Result);
+         Process.Files.Write
+           (Into, Text.Data (Done + 1 .. Text.Length), Result);
          if Result > 0 then
             Done := Done + Result;
          else
-            Error := (if Result < 0 then -Result else Calls.Io_Failure);
+            Error := (if Result < 0 then -Result
+                      else Process.Files.Io_Failure);
          end if;
       end loop;
    end Write;
 
-   procedure Append_Time (Line : in out Texts.Text; Value : Unsigned_64) is
-      --  Value, in nanoseconds, as seconds
+   procedure Append_Time (Line : in out Texts.Text; Value : Time)
+   with Global => null
+   is
+      --  Value, as seconds of the clock with nine decimals
+      Whole    : Seconds_Count;
+      Rest     : Time_Span;
       Fraction : Texts.Text;
    begin
-      Texts.Append (Line, To_Natural (Value / 1_000_000_000));
+      Split (Value, Whole, Rest);
       Texts.Append
-        (Fraction, 1_000_000_000 + Natural (Value mod 1_000_000_000));
+        (Line,
+         Natural
+           (Seconds_Count'Max
+              (0, Seconds_Count'Min (Whole, Seconds_Count (Natural'Last)))));
+      Texts.Append
+        (Fraction,
+         1_000_000_000
+         + Integer'Max (0, Integer'Min (Rest / Nanoseconds (1), 999_999_999)));
       Fraction.Data (1) := '.';  --  for the 1, which has kept the zeros
       Texts.Append (Line, Texts.Image (Fraction));
    end Append_Time;
 
    procedure Append_Event
-     (Text : in out Texts.Text; Begun : Unsigned_64; Item : Event)
+     (Text : in out Texts.Text; Begun : Time; Item : Event)
+   with Global => null
    is
-      --  The lines of the file for Item, with the time since Begun
-      procedure Append_Line (What : String; At_Time, Number : Unsigned_64)
-      with Pre => What'Length <= 9;
-
-      procedure Append_Line (What : String; At_Time, Number : Unsigned_64) is
-      begin
-         Append_Time (Text, (if At_Time > Begun then At_Time - Begun else 0));
-         Texts.Append (Text, " " & Schedule.Name_Of (Item.Who) & " " & What);
-         if Item.Label /= No_Label then
-            Texts.Append (Text, " ");
-            for C of Item.Label loop
-               exit when C = ' ';
-               Texts.Append (Text, (1 => C));
-            end loop;
-         end if;
-         if Number > 0 then
-            Texts.Append (Text, " #");
-            Texts.Append (Text, To_Natural (Number));
-         end if;
-         Texts.Append (Text, (1 => ASCII.LF));
-      end Append_Line;
-
+      --  The line of the file for Item, with the time since Begun
    begin
-      if Item.Kind = Take_Up then
-         Append_Line ("release", Item.At_Time, 0);
-      elsif Item.Kind = Start_Due then
-         Append_Line ("due", Item.Number, 0);
+      Append_Time
+        (Text,
+         Time_Of (0, (if Item.At_Time > Begun then Item.At_Time - Begun
+                      else Time_Span_Zero)));
+      Texts.Append (Text, " " & Schedule.Name_Of (Item.Who) & " ");
+      Texts.Append
+        (Text,
+         (case Item.Kind is
+             when Release  => "release",
+             when Due      => "due",
+             when Start    => "start",
+             when Take     => "take",
+             when Done     => "done",
+             when Wait     => "wait",
+             when Resume   => "resume",
+             when Received => "in",
+             when Sent     => "out",
+             when Ordered  => "robot"));
+      if Item.Label /= No_Label then
+         Texts.Append (Text, " ");
+         for C of Item.Label loop
+            exit when C = ' ';
+            Texts.Append (Text, (1 => C));
+         end loop;
       end if;
-      Append_Line
-        ((case Item.Kind is
-             when Release                     => "release",
-             when Due                         => "due",
-             when Start | Take_Up | Start_Due => "start",
-             when Done                        => "done",
-             when Wait                        => "wait",
-             when Resume                      => "resume",
-             when Idle                        => "idle",
-             when Received                    => "in",
-             when Sent                        => "out",
-             when Ordered                     => "robot"),
-         Item.At_Time,
-         (if Item.Kind = Start_Due then 0 else Item.Number));
+      if Item.Number > 0 then
+         Texts.Append (Text, " #");
+         Texts.Append
+           (Text,
+            Natural
+              (Commands.Ticket'Min
+                 (Item.Number, Commands.Ticket (Natural'Last))));
+      end if;
+      Texts.Append (Text, (1 => ASCII.LF));
    end Append_Event;
 
    procedure Write_File
-     (Into    : Descriptor;
+     (Into    : Process.Files.Descriptor;
       Limit   : Time;
       In_Time : out Boolean;
-      Error   : out Error_Number)
+      Error   : out Process.Files.Error_Number)
    is
       --  Until Limit
-      Begun    : constant Unsigned_64 := First;
+      Begun    : constant Time := First;
       Recorded : Event_Number;
       Number   : Event_Number;
       Item     : Event;
@@ -219,11 +166,11 @@ is
    begin
       In_Time := True;
       Error := 0;
-      Calls.Empty (Into);
+      Process.Files.Empty (Into);
       Texts.Set (Text, "# destijl trace, begun at ");
       Append_Time (Text, Begun);
       Texts.Append (Text, " of CLOCK_MONOTONIC" & ASCII.LF);
-      for Who in Task_Name loop
+      for Who in Schedule.Task_Name loop
          Texts.Append (Text, "# task " & Schedule.Name_Of (Who) & " ");
          Texts.Append (Text, Schedule.Table (Who).Priority);
          Texts.Append (Text, (1 => ASCII.LF));
@@ -232,7 +179,9 @@ is
       end loop;
       Ring.Get_Count (Recorded);
       Texts.Append (Text, "# recorded ");
-      Texts.Append (Text, To_Natural (Recorded));
+      Texts.Append
+        (Text,
+         Natural (Event_Number'Min (Recorded, Event_Number (Natural'Last))));
       Texts.Append (Text, (1 => ASCII.LF));
       Number := (if Recorded > Capacity then Recorded - Capacity else 0);
       while Number < Recorded and then In_Time and then Error = 0 loop
@@ -242,7 +191,7 @@ is
             Append_Event (Text, Begun, Item);
          end if;
          Number := Number + 1;
-         if Text.Length > Texts.Max_Length - 2 * Longest then
+         if Text.Length > Texts.Max_Length - Longest then
             Write (Into, Text, Error);
             Text.Length := 0;
             Now := Clock;
@@ -254,116 +203,47 @@ is
 
    procedure Finish (Whole : out Boolean; Reason : out Texts.Text) is
       Now       : constant Time := Clock;
-      Limit     : constant Time := Now + Schedule.Trace_Limit;
       Recording : constant Boolean := On;
-      Into      : constant Descriptor := File;
-      Error     : Error_Number;
+      Into      : constant Process.Files.Descriptor := File;
+      Error     : Process.Files.Error_Number;
    begin
       Whole := True;
       Texts.Set (Reason, "");
       if Recording then
          On := False;
          --  not urgent any more, and it takes long
-         Calls.Give_Up_Priority;
-         Write_File (Into, Limit, Whole, Error);
+         Process.Give_Up_Priority;
+         Write_File (Into, Now + Schedule.Trace_Limit, Whole, Error);
          if Error > 0 then
             Whole := False;
-            Set_Reason (Reason, Error);
+            Process.Describe (Error, Reason);
          elsif not Whole then
             Texts.Set (Reason, "it takes too long");
          end if;
       end if;
    end Finish;
 
-   function To_Nanoseconds (Due : Time) return Unsigned_64 is
-      --  From the epoch of CLOCK_MONOTONIC, which is Ada's clock, too. 0 for
-      --  times before, such as Time_First: immediate
-      Seconds : Seconds_Count;
-      Rest    : Time_Span;
+   procedure Put
+     (Kind   : Event_Kind;
+      Who    : Schedule.Thread_Name;
+      Number : Commands.Ticket := 0;
+      Label  : Label_Text := No_Label)
+   is
+      Recording : constant Boolean := On;
+      Now       : Time;
    begin
-      Split (Due, Seconds, Rest);
-      return
-        (if Seconds < 0 then 0
-         else Unsigned_64 (Seconds) * 1_000_000_000
-           + Unsigned_64 (Integer'Max (0, Rest / Nanoseconds (1))));
-   end To_Nanoseconds;
+      if Recording and then Who in Schedule.Task_Name then
+         Ring.Get_Time (Now);
+         Ring.Put ((Now, Number, Who, Kind, Label));
+      end if;
+   end Put;
 
-   procedure Release (Who : Task_Name; Number : Orders.Ticket := 0) is
-   begin
-      Put (Release, Who, Unsigned_64 (Number));
-   end Release;
-
-   procedure Release (Who : Task_Name; Due : Time) is
+   procedure Put_Due (Who : Schedule.Thread_Name; At_Time : Time) is
       Recording : constant Boolean := On;
    begin
-      if Recording then
-         Ring.Put ((To_Nanoseconds (Due), 0, Who, Ring.Due, No_Label));
+      if Recording and then Who in Schedule.Task_Name then
+         Ring.Put ((At_Time, 0, Who, Due, No_Label));
       end if;
-   end Release;
-
-   procedure Start (Who : Task_Name; Number : Orders.Ticket := 0) is
-   begin
-      Put (Start, Who, Unsigned_64 (Number));
-   end Start;
-
-   procedure Take_Up (Who : Task_Name) is
-   begin
-      Put (Take_Up, Who);
-   end Take_Up;
-
-   procedure Start (Who : Task_Name; Due : Time) is
-   begin
-      Put (Start_Due, Who, To_Nanoseconds (Due));
-   end Start;
-
-   procedure Done (Who : Task_Name) is
-   begin
-      Put (Done, Who);
-   end Done;
-
-   procedure Wait (Who : Task_Name; What : Wait_Kind) is
-   begin
-      Put (Wait, Who,
-           Label => (case What is
-                        when Line   => "line  ",
-                        when Answer => "answer",
-                        when Gap    => "gap   ",
-                        when Camera => "camera",
-                        when Room   => "room  ",
-                        when Tasks  => "tasks "));
-   end Wait;
-
-   procedure Resume (Who : Task_Name) is
-   begin
-      Put (Resume, Who);
-   end Resume;
-
-   procedure Resume (Who : Task_Name; Due : Time) is
-   begin
-      Release (Who, Due);
-      Put (Resume, Who);
-   end Resume;
-
-   procedure Idle (Who : Task_Name) is
-   begin
-      Put (Idle, Who);
-   end Idle;
-
-   procedure Received
-     (Name : Commands.Command_Name; Number : Orders.Ticket) is
-   begin
-      Put (Received, Schedule.Th_Receive_From_Mon, Unsigned_64 (Number),
-           Commands.Table (Name).Label & "  ");
-   end Received;
-
-   procedure Sent (Label : Commands.Label_Text) is
-   begin
-      Put (Sent, Schedule.Th_Send_To_Mon, Label => Label & "  ");
-   end Sent;
-
-   procedure Ordered (Who : Task_Name; Letter : Character) is
-   begin
-      Put (Ordered, Who, Label => Letter & "     ");
-   end Ordered;
+   end Put_Due;
 
 end Trace;

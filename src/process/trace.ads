@@ -4,7 +4,7 @@
 
 with Ada.Real_Time;
 with Commands;
-with Orders;
+with Process;
 with Schedule;
 with Texts;
 
@@ -16,95 +16,75 @@ package Trace with
 is
    pragma Annotate (GNATprove, Terminating, Trace);
    --  Finish waits for the disk, nothing else waits. Proved, if each call of
-   --  the system (Trace.Calls) ends
+   --  the system (Process.Files) ends
 
    Capacity : constant := 2 ** 17;
-   --  Events kept, in 4 MiB of memory: more than two minutes of a session with
+   --  Events kept, in 4 MiB of memory: about two minutes of a session with
    --  images, positions and 25 commands per second
-
-   subtype Task_Name is Schedule.Task_Name;
 
    procedure Try
      (Path : Texts.Text; Success : out Boolean; Reason : out Texts.Text)
-   with Global => (In_Out => Recorder);
+   with Global => (In_Out => Process.System_State);
    --  Whether Open would succeed; changes nothing
 
    procedure Open
      (Path : Texts.Text; Success : out Boolean; Reason : out Texts.Text)
-   with Global => (In_Out => Recorder);
+   with Global => (In_Out => (Recorder, Process.System_State));
    --  Opens the file, which must not be a pipe or a terminal, touches the
    --  memory, and starts recording. Reason explains a failure. Call once,
    --  before the tasks work
 
    procedure Finish (Whole : out Boolean; Reason : out Texts.Text)
    with
-     Global => (Input => Ada.Real_Time.Clock_Time, In_Out => Recorder);
+     Global => (Input  => Ada.Real_Time.Clock_Time,
+                In_Out => (Recorder, Process.System_State));
    --  Ends the recording and writes the file, if any. Whole is false if it is
    --  incomplete: the disk is full, or it took longer than
    --  Schedule.Trace_Limit. The calling task first gives up its real-time
    --  priority. To be called last, before the end of the process
 
-   --  The events. Who: the task concerned
+   --  The events. Who: the task concerned. What the main procedure does is
+   --  not recorded
 
-   procedure Release (Who : Task_Name; Number : Orders.Ticket := 0)
+   type Event_Kind is
+     (Release,   --  Who becomes ready: just before its event is signalled
+      Due,       --  the same by the clock, at the time that was set
+      Start,     --  Who starts a job
+      Take,      --  the job is for the monitor's command Number
+      Done,      --  Who completes its job, if it has one
+      Wait,      --  during its job Who waits for Label
+      Resume,    --  the wait ends, if there is one
+      Received,  --  the command Number, with this Label, from the monitor
+      Sent,      --  a message with this Label to the monitor
+      Ordered);  --  a command with this letter to the robot
+
+   subtype Label_Text is String (1 .. 6);
+   --  Padded with blanks
+
+   No_Label : constant Label_Text := "      ";
+   Line     : constant Label_Text := "line  ";
+   --  the robot's line, until the request is done
+   Answer   : constant Label_Text := "answer";
+   --  the robot's answer, or its time-out
+   Gap      : constant Label_Text := "gap   ";
+   --  the gap between two messages
+   Camera   : constant Label_Text := "camera";
+   --  the camera: opened, released, the next image
+   Room     : constant Label_Text := "room  ";
+   --  room for an answer
+   Tasks    : constant Label_Text := "tasks ";
+   --  tasks that are still busy
+
+   procedure Put
+     (Kind   : Event_Kind;
+      Who    : Schedule.Thread_Name;
+      Number : Commands.Ticket := 0;
+      Label  : Label_Text := No_Label)
    with Global => (In_Out => Recorder);
-   --  Release: Who becomes ready. Called just before the event is signalled
+   --  Records an event now
 
-   procedure Release (Who : Task_Name; Due : Ada.Real_Time.Time)
+   procedure Put_Due (Who : Schedule.Thread_Name; At_Time : Ada.Real_Time.Time)
    with Global => (In_Out => Recorder);
-   --  The clock released Who at Due. Called by Who itself
-
-   procedure Start (Who : Task_Name; Number : Orders.Ticket := 0)
-   with Global => (In_Out => Recorder);
-   --  Who starts a job; Number: of the monitor's command, if any
-
-   procedure Take_Up (Who : Task_Name)
-   with Global => (In_Out => Recorder);
-   --  Who starts a job just released by the kernel
-
-   procedure Start (Who : Task_Name; Due : Ada.Real_Time.Time)
-   with Global => (In_Out => Recorder);
-   --  Who starts a job that the clock released at Due
-
-   procedure Done (Who : Task_Name)
-   with Global => (In_Out => Recorder);
-   --  Who completes its job, if it has one
-
-   type Wait_Kind is
-     (Line,      --  the robot's line, until the request is done
-      Answer,    --  the robot's answer, or its time-out
-      Gap,       --  the gap between two messages
-      Camera,    --  the camera: opened, released, the next image
-      Room,      --  room for an answer
-      Tasks);    --  tasks that are still busy
-
-   procedure Wait (Who : Task_Name; What : Wait_Kind)
-   with Global => (In_Out => Recorder);
-   --  During its job Who waits for What
-
-   procedure Resume (Who : Task_Name)
-   with Global => (In_Out => Recorder);
-   --  The wait of Who ends, if there is one
-
-   procedure Resume (Who : Task_Name; Due : Ada.Real_Time.Time)
-   with Global => (In_Out => Recorder);
-   --  The wait of Who until the time Due ends
-
-   procedure Idle (Who : Task_Name)
-   with Global => (In_Out => Recorder);
-   --  Who was released, but has nothing to do
-
-   procedure Received
-     (Name : Commands.Command_Name; Number : Orders.Ticket)
-   with Global => (In_Out => Recorder);
-   --  A command of the monitor has been received
-
-   procedure Sent (Label : Commands.Label_Text)
-   with Global => (In_Out => Recorder);
-   --  A message to the monitor has been sent
-
-   procedure Ordered (Who : Task_Name; Letter : Character)
-   with Global => (In_Out => Recorder);
-   --  The robot's command with this letter has been written
+   --  Records that the clock has released Who at At_Time. Called by Who itself
 
 end Trace;

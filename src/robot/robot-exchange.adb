@@ -28,19 +28,15 @@ package body Robot.Exchange with SPARK_Mode is
       Robot.Serial_Line.Open (Chosen.Serial, Success, Reason);
       Held.Told := False;
       Held.Unasked := 0;
-      if Success then
-         Texts.Set (Line, "robot line open on ");
-      else
-         Texts.Set (Line, "robot line cannot be opened on ");
-      end if;
-      Texts.Append (Line, Chosen.Serial.Data (1 .. Chosen.Serial.Length));
-      if Success then
-         Journal.Put (Options.Info, Line);
-      else
+      Texts.Set
+        (Line, (if Success then "robot line open on "
+                else "robot line cannot be opened on "));
+      Texts.Append (Line, Texts.Image (Chosen.Serial));
+      if not Success then
          Texts.Append (Line, ": ");
-         Texts.Append (Line, Reason.Data (1 .. Reason.Length));
-         Journal.Put (Options.Error, Line);
+         Texts.Append (Line, Texts.Image (Reason));
       end if;
+      Journal.Put ((if Success then Options.Info else Options.Error), Line);
    end Open_Device;
 
    procedure Discard_Unasked
@@ -53,7 +49,6 @@ package body Robot.Exchange with SPARK_Mode is
       --  was a whole frame. That may be noise, or the device goes on like that
       Receiving : Receiver;
       In_Frame  : Frame;
-      Heard     : Reply;
       Data      : Bytes.Byte_Array (1 .. Max_Frame);
       Length    : Natural;
       Ignored   : Boolean;
@@ -62,14 +57,13 @@ package body Robot.Exchange with SPARK_Mode is
       Talks := False;
       Robot.Serial_Line.Read (Data, Length, Until_Now, Ignored);
       Robot.Serial_Line.Discard_Input;
-      Clear (Receiving);
       for I in 1 .. Length loop
-         Accept_Byte (Receiving, Data (I), Complete);
-         if Complete then
-            Get (Receiving, In_Frame);
-            Decode (In_Frame, Kind, Heard);
-            Talks := Talks or else Heard.Kind not in Bad_Checksum | Malformed;
-         end if;
+         Accept_Byte (Receiving, Data (I), In_Frame, Complete);
+         Talks := Talks
+           or else
+             (Complete
+              and then Decode (In_Frame, Kind).Kind
+                not in Bad_Checksum | Malformed);
       end loop;
       Held.Unasked :=
         (if Talks then Natural'Min (Held.Unasked + 2, 6)
@@ -100,8 +94,8 @@ package body Robot.Exchange with SPARK_Mode is
       In_Frame  : Frame;
       Receiving : Receiver;
       Data      : Bytes.Byte_Array (1 .. Max_Frame);
-      Ignored   : Bytes.Byte_Array (1 .. Max_Frame);
       Length    : Natural;
+      Sent      : Boolean;
       Alive     : Boolean;
       Complete  : Boolean;
       Talks     : Boolean := False;
@@ -116,20 +110,17 @@ package body Robot.Exchange with SPARK_Mode is
       else
          Discard_Unasked (Held, Item.Kind, Now, Talks);
       end if;
-      Clear (Receiving);
-      Robot.Serial_Line.Write (Item, Mode, Length, Last.Ok);
+      Robot.Serial_Line.Write (Item, Mode, Length, Sent);
       Has_Left := Now + Length * Schedule.Byte_Time;
       Deadline := Has_Left
         + Milliseconds (Settings.Command_Line.Chosen.Answer_Timeout);
-      Trace.Ordered (Who, Letter (Item.Kind));
-      Trace.Wait (Who, Trace.Answer);
-      if not Last.Ok or else Held.Unasked > 4
+      Trace.Put (Trace.Ordered, Who, Label => Letter (Item.Kind) & "     ");
+      Trace.Put (Trace.Wait, Who, Label => Trace.Answer);
+      if not Sent or else Held.Unasked > 4
         or else (Held.Unasked > 0 and then Item.Kind in Start | Start_Watchdog)
       then
-         Last.Ok := False;
          return;
       end if;
-      Last.Ok := False;
       loop
          Robot.Serial_Line.Read (Data, Length, Deadline, Alive);
          if not Alive or else Length = 0 then
@@ -141,19 +132,16 @@ package body Robot.Exchange with SPARK_Mode is
             return;
          end if;
          for I in 1 .. Length loop
-            Accept_Byte (Receiving, Data (I), Complete);
+            Accept_Byte (Receiving, Data (I), In_Frame, Complete);
             if Complete then
-               Get (Receiving, In_Frame);
-               Decode (In_Frame, Item.Kind, Last.Reply);
+               Last.Reply := Decode (In_Frame, Item.Kind);
                Last.Text := Text_Of (In_Frame);
-               if Skip_Late then
-                  Last.Ok := Is_Answer (Last.Reply.Kind, Item.Kind);
-               else
-                  Last.Ok := Last.Reply.Kind not in Failed_Reply
-                    and then not (Talks and then I < Length);
-                  if not Last.Ok then
-                     return;
-                  end if;
+               Last.Ok :=
+                 (if Skip_Late then Is_Answer (Last.Reply.Kind, Item.Kind)
+                  else Last.Reply.Kind not in Failed_Reply
+                    and then not (Talks and then I < Length));
+               if not Last.Ok and then not Skip_Late then
+                  return;
                end if;
             end if;
             exit when Last.Ok;
@@ -164,23 +152,22 @@ package body Robot.Exchange with SPARK_Mode is
       end loop;
       if Last.Ok and then (Skip_Late or else Talks) then
          --  a device that goes on sending is no robot
-         Robot.Serial_Line.Read (Ignored, Length, Deadline, Alive);
+         Robot.Serial_Line.Read (Data, Length, Deadline, Alive);
          Last.Ok := Alive and then Length = 0;
       end if;
    end Exchange;
 
    procedure Take_Step
-     (Who      : Schedule.Task_Name;
-      Held     : in out Robot.Line_Status.Dialogue;
-      State    : Robot.Session.State;
-      Progress : Robot.Session.Progress;
-      Step     : Robot.Session.Step;
-      Last     : out Robot.Session.Step_Result)
+     (Who   : Schedule.Task_Name;
+      Held  : in out Robot.Line_Status.Dialogue;
+      Mode  : Robot.Session.Mode_Kind;
+      Step  : Robot.Session.Step;
+      Last  : out Robot.Session.Step_Result)
    with
-     Pre => Robot.Session.Is_Under_Way (State, Progress)
-       and then Robot.Session.Is_Allowed (State, Progress, Step)
+     Pre =>
+       (if Robot.Session.Sends_Movement (Step) then
+           Mode /= Robot.Session.Not_Started)
    is
-      pragma Unreferenced (Progress);
       Ignored  : Frame_Length;
       All_Sent : Boolean;
    begin
@@ -200,11 +187,13 @@ package body Robot.Exchange with SPARK_Mode is
             end if;
          when Robot.Session.Send =>
             Robot.Serial_Line.Write
-              (Step.Command, State.Mode, Ignored, Last.Ok);
-            Trace.Ordered (Who, Letter (Step.Command.Kind));
+              (Step.Command, Mode, Ignored, Last.Ok);
+            Trace.Put
+              (Trace.Ordered, Who,
+               Label => Letter (Step.Command.Kind) & "     ");
          when Robot.Session.Exchange | Robot.Session.Synchronise =>
             Exchange
-              (Who, Held, Step.Command, State.Mode,
+              (Who, Held, Step.Command, Mode,
                Step.Kind = Robot.Session.Synchronise, Last);
          when Robot.Session.Finish =>
             null;
@@ -239,8 +228,8 @@ package body Robot.Exchange with SPARK_Mode is
          then
             Held.Counted := Clock;
          end if;
-         Take_Step (Who, Held, State, Progress, Step, Last);
-         Trace.Resume (Who);
+         Take_Step (Who, Held, State.Mode, Step, Last);
+         Trace.Put (Trace.Resume, Who);
          Robot.Session.Continue_Request (State, Progress, Last, Step);
       end loop;
       Held.State := State;

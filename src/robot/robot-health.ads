@@ -38,16 +38,12 @@ package Robot.Health with SPARK_Mode is
    function In_Step (H : State) return Boolean;
    --  The next frame to arrive is the answer to the next command.
 
-   function Initial return State
-   with Post => In_Step (Initial'Result)
-     and then Failures (Initial'Result) = 0
-     and then (for all C in Answer_Class => not Is_Owed (Initial'Result, C));
+   Initial : constant State;
+   --  In step, no failure, nothing owed: also after an answer to a command
+   --  sent in step, or to a probe
 
-   function Opened return State
-   with Post => not In_Step (Opened'Result)
-     and then Failures (Opened'Result) = 0
-     and then (for all C in Answer_Class => not Is_Owed (Opened'Result, C));
-   --  The state of a newly opened line.
+   Opened  : constant State;
+   --  The state of a newly opened line: the same, but out of step
 
    function Probe (H : State) return Command_Kind
    with
@@ -56,26 +52,14 @@ package Robot.Health with SPARK_Mode is
        and then not Is_Owed (H, Class_Of (Probe'Result));
    --  The command that synchronises the line. There always is one.
 
-   procedure Success (H : in out State)
+   function After_Failure (H : State; Command : Command_Kind) return State
    with
      Pre  => not Lost (H),
-     Post => In_Step (H)
-       and then Failures (H) = 0
-       and then (for all C in Answer_Class => not Is_Owed (H, C));
-   --  An answer was received: to a command sent in step, or to a probe.
-
-   procedure Failure (H : in out State; Command : Command_Kind)
-   with
-     Pre  => not Lost (H),
-     Post => Failures (H) = Failures (H'Old) + 1
-       and then not In_Step (H)
-       and then Lost (H) = (Failures (H'Old) = Max_Failures - 1)
-       and then
-         (for all C in Answer_Class =>
-            Is_Owed (H, C) =
-              (Is_Owed (H'Old, C) or else C = Class_Of (Command)));
+     Post => Failures (After_Failure'Result) = Failures (H) + 1
+       and then not In_Step (After_Failure'Result);
    --  The exchange of Command failed: no answer in time, a wrong checksum, a
    --  wrong kind of answer or a malformed one. A probe fails only by time-out.
+   --  The class of Command is owed from now on, too
 
 private
 
@@ -94,6 +78,10 @@ private
    --  A failure adds at most one class: while the line is not lost, one of the
    --  four classes is free for a probe.
 
+   Initial : constant State := (others => <>);
+
+   Opened  : constant State := (Untried => True, others => <>);
+
    function Failures (H : State) return Failure_Count is (H.Failures);
 
    function In_Step (H : State) return Boolean is
@@ -101,5 +89,24 @@ private
 
    function Is_Owed (H : State; Class : Answer_Class) return Boolean is
      (H.Owed (Class));
+
+   function Probe (H : State) return Command_Kind is
+     (if not H.Owed (Text) then Version
+      elsif not H.Owed (Digit) then Battery
+      elsif not H.Owed (Unknown) then Unknown_Letter
+      else Ping);
+
+   function Is_Owed_After
+     (H : State; Command : Command_Kind; Class : Answer_Class) return Boolean
+   is (H.Owed (Class) or else Class_Of (Command) = Class);
+
+   function After_Failure (H : State; Command : Command_Kind) return State is
+     (Failures => H.Failures + 1,
+      Owed     =>
+        (Acknowledge => Is_Owed_After (H, Command, Acknowledge),
+         Digit       => Is_Owed_After (H, Command, Digit),
+         Text        => Is_Owed_After (H, Command, Text),
+         Unknown     => Is_Owed_After (H, Command, Unknown)),
+      Untried  => False);
 
 end Robot.Health;

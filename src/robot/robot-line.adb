@@ -4,24 +4,25 @@
 with Ada.Real_Time; use Ada.Real_Time;
 with Robot.Users;
 with Settings;
+with Trace;
 
 package body Robot.Line with SPARK_Mode is
 
    type Turn is record
       Given  : Boolean := False;
       To     : Schedule.Task_Name := Schedule.Th_Move;
-      Number : Orders.Ticket := 0;
+      Number : Commands.Ticket := 0;
    end record;
    --  Given: the line is free, and this task is to be woken for the next
    --  request. Number: of the monitor's order, if it is one
 
    procedure Look_At_Clock
      (Waiting : in out Robot.Requests.Requests;
-      State   : Robot.Line_Status.State;
-      Now     : Time)
+      State   : Robot.Line_Status.State)
    with Annotate => (GNATprove, Terminating)
    is
       --  What is due by now
+      Now : constant Time := Clock;
    begin
       for From in Robot.Requests.Source loop
          if From in Robot.Requests.Periodic then
@@ -36,7 +37,6 @@ package body Robot.Line with SPARK_Mode is
    procedure Choose
      (Waiting : in out Robot.Requests.Requests;
       State   : Robot.Line_Status.State;
-      Now     : Time;
       Next    : out Turn)
    with
      Post => Next.Given = Robot.Requests.Next (Waiting).Found,
@@ -45,7 +45,7 @@ package body Robot.Line with SPARK_Mode is
       Choice : Robot.Requests.Choice;
       Item   : Robot.Requests.Job;
    begin
-      Look_At_Clock (Waiting, State, Now);
+      Look_At_Clock (Waiting, State);
       Choice := Robot.Requests.Next (Waiting);
       Next := (others => <>);
       if Choice.Found then
@@ -55,24 +55,18 @@ package body Robot.Line with SPARK_Mode is
    end Choose;
 
    protected Line with Priority => Schedule.Line_Ceiling is
-      procedure Begin_Session (First : Orders.Ticket);
-      procedure Put
-        (Order : Orders.Order; Now : Time; Next : out Turn)
+      procedure Begin_Session (First : Commands.Ticket);
+      procedure Put (Order : Commands.Order; Next : out Turn)
       with Pre => Order.Command.Name in Commands.Robot_Command;
       procedure Ask
         (From    : Robot.Requests.Asked;
          Request : Commands.Request;
-         Order   : Orders.Order;
-         Now     : Time;
+         Order   : Commands.Order;
          Next    : out Turn);
       procedure Look
-        (From : Robot.Requests.Periodic;
-         Now  : Time;
-         Due  : out Time;
-         Next : out Turn);
+        (From : Robot.Requests.Periodic; Due : out Time; Next : out Turn);
       procedure Take
         (Who     : Schedule.Task_Name;
-         Now     : Time;
          Item    : in out Robot.Requests.Job;
          Verdict : out Robot.Requests.Verdict_Kind;
          Held    : out Robot.Line_Status.Dialogue;
@@ -81,11 +75,10 @@ package body Robot.Line with SPARK_Mode is
         (Done   : Robot.Requests.Job;
          Held   : Robot.Line_Status.Dialogue;
          Result : Commands.Outcome;
-         Now    : Time;
          Next   : out Turn);
       procedure Get_Status (Current : out Robot.Line_Status.Status);
       procedure Get_Rights
-        (Number : Orders.Ticket; Is_Over, By_Hand : out Boolean);
+        (Number : Commands.Ticket; Is_Over, By_Hand : out Boolean);
    private
       Waiting  : Robot.Requests.Requests;
       State    : Robot.Line_Status.State;
@@ -97,51 +90,47 @@ package body Robot.Line with SPARK_Mode is
 
    protected body Line is
 
-      procedure Begin_Session (First : Orders.Ticket) is
+      procedure Begin_Session (First : Commands.Ticket) is
       begin
          Robot.Requests.Begin_Session (Waiting, First);
       end Begin_Session;
 
-      procedure Put
-        (Order : Orders.Order; Now : Time; Next : out Turn) is
+      procedure Put (Order : Commands.Order; Next : out Turn) is
       begin
          Robot.Requests.Put (Waiting, Order);
-         Choose (Waiting, State, Now, Next);
+         Choose (Waiting, State, Next);
       end Put;
 
       procedure Ask
         (From    : Robot.Requests.Asked;
          Request : Commands.Request;
-         Order   : Orders.Order;
-         Now     : Time;
+         Order   : Commands.Order;
          Next    : out Turn) is
       begin
          Robot.Requests.Ask (Waiting, From, Request, Order);
          if From = Robot.Requests.Mission then
-            Asked := Now;
+            Asked := Clock;
          end if;
-         Choose (Waiting, State, Now, Next);
+         Choose (Waiting, State, Next);
       end Ask;
 
       procedure Look
-        (From : Robot.Requests.Periodic;
-         Now  : Time;
-         Due  : out Time;
-         Next : out Turn) is
+        (From : Robot.Requests.Periodic; Due : out Time; Next : out Turn) is
       begin
          Due := Robot.Line_Status.Due (State, From);
-         Choose (Waiting, State, Now, Next);
+         Choose (Waiting, State, Next);
       end Look;
 
       procedure Take
         (Who     : Schedule.Task_Name;
-         Now     : Time;
          Item    : in out Robot.Requests.Job;
          Verdict : out Robot.Requests.Verdict_Kind;
          Held    : out Robot.Line_Status.Dialogue;
-         Found   : out Boolean) is
+         Found   : out Boolean)
+      is
+         Now : constant Time := Clock;
       begin
-         Look_At_Clock (Waiting, State, Now);
+         Look_At_Clock (Waiting, State);
          Robot.Requests.Take (Waiting, Who, Item, Found);
          Verdict := Robot.Requests.Verdict_On
            (Waiting, Item,
@@ -153,13 +142,14 @@ package body Robot.Line with SPARK_Mode is
         (Done   : Robot.Requests.Job;
          Held   : Robot.Line_Status.Dialogue;
          Result : Commands.Outcome;
-         Now    : Time;
-         Next   : out Turn) is
+         Next   : out Turn)
+      is
+         Now : constant Time := Clock;
       begin
          Dialogue := Held;
          Robot.Line_Status.Note (State, Done, Held, Result, Now);
-         Robot.Requests.Release (Waiting);
-         Choose (Waiting, State, Now, Next);
+         Waiting.In_Use := False;
+         Choose (Waiting, State, Next);
       end Finish;
 
       procedure Get_Status (Current : out Robot.Line_Status.Status) is
@@ -168,7 +158,7 @@ package body Robot.Line with SPARK_Mode is
       end Get_Status;
 
       procedure Get_Rights
-        (Number : Orders.Ticket; Is_Over, By_Hand : out Boolean) is
+        (Number : Commands.Ticket; Is_Over, By_Hand : out Boolean) is
       begin
          Is_Over := Number < Waiting.First_Order;
          By_Hand := Number < Waiting.Last_Hand;
@@ -181,38 +171,31 @@ package body Robot.Line with SPARK_Mode is
    is
    begin
       if Next.Given then
-         Robot.Users.Signal (Next.To, Next.Number);
+         Robot.Users.Set (Next.To, Next.Number);
       end if;
    end Wake;
 
-   procedure Begin_Session (First : Orders.Ticket) is
+   procedure Begin_Session (First : Commands.Ticket) is
    begin
       Line.Begin_Session (First);
    end Begin_Session;
 
-   procedure Refuse_Orders is
-   begin
-      Line.Begin_Session (Orders.Ticket'Last);
-   end Refuse_Orders;
-
-   procedure Put (Order : in out Orders.Order) is
-      Now  : constant Time := Clock;
+   procedure Put (Order : in out Commands.Order) is
       Next : Turn;
    begin
       Order.Owed := False;
-      Line.Put (Order, Now, Next);
+      Line.Put (Order, Next);
       Wake (Next);
    end Put;
 
    procedure Ask
      (From    : Robot.Requests.Asked;
       Request : Commands.Request;
-      Order   : Orders.Order)
+      Order   : Commands.Order)
    is
-      Now  : constant Time := Clock;
       Next : Turn;
    begin
-      Line.Ask (From, Request, Order, Now, Next);
+      Line.Ask (From, Request, Order, Next);
       Wake (Next);
    end Ask;
 
@@ -222,7 +205,7 @@ package body Robot.Line with SPARK_Mode is
       Now : constant Time := Clock;
       To  : Turn;
    begin
-      Line.Look (From, Now, Next, To);
+      Line.Look (From, Next, To);
       Wake (To);
       if Next <= Now then
          --  it waits for the line
@@ -237,12 +220,14 @@ package body Robot.Line with SPARK_Mode is
       Held    : out Robot.Line_Status.Dialogue;
       Found   : out Boolean)
    is
-      Now : constant Time := Clock;
    begin
-      Line.Take (Who, Now, Item, Verdict, Held, Found);
+      Line.Take (Who, Item, Verdict, Held, Found);
       Item.Order.Owed := Found
         and then Item.Order.Number /= 0
         and then Item.From /= Robot.Requests.Mission;
+      if Item.Order.Owed then
+         Trace.Put (Trace.Take, Who, Item.Order.Number);
+      end if;
    end Take;
 
    procedure Finish
@@ -250,10 +235,9 @@ package body Robot.Line with SPARK_Mode is
       Held   : Robot.Line_Status.Dialogue;
       Result : Commands.Outcome)
    is
-      Now  : constant Time := Clock;
       Next : Turn;
    begin
-      Line.Finish (Done, Held, Result, Now, Next);
+      Line.Finish (Done, Held, Result, Next);
       Wake (Next);
    end Finish;
 
@@ -263,7 +247,7 @@ package body Robot.Line with SPARK_Mode is
    end Get_Status;
 
    procedure Get_Rights
-     (Number : Orders.Ticket; Is_Over, By_Hand : out Boolean) is
+     (Number : Commands.Ticket; Is_Over, By_Hand : out Boolean) is
    begin
       Line.Get_Rights (Number, Is_Over, By_Hand);
    end Get_Rights;

@@ -4,24 +4,21 @@
 
 with Ada.Real_Time;
 with Commands;
-with Orders;
 with Robot.Line_Status;
 with Robot.Requests;
 with Schedule;
 
 package Robot.Line with SPARK_Mode is
 
-   use type Orders.Ticket;
+   use type Commands.Ticket;
    use type Robot.Requests.Source;
 
-   procedure Begin_Session (First : Orders.Ticket)
+   procedure Begin_Session (First : Commands.Ticket)
    with Annotate => (GNATprove, Terminating);
-   --  Orders with a lower number are out of date from now on
+   --  Orders with a lower number are out of date from now on. Ticket'Last, as
+   --  the process ends: all orders
 
-   procedure Refuse_Orders with Annotate => (GNATprove, Terminating);
-   --  The process ends: all orders are out of date from now on
-
-   procedure Put (Order : in out Orders.Order)
+   procedure Put (Order : in out Commands.Order)
    with
      Pre  => Order.Owed and then Order.Command.Name in Commands.Robot_Command,
      Post => not Order.Owed,
@@ -33,7 +30,7 @@ package Robot.Line with SPARK_Mode is
    procedure Ask
      (From    : Robot.Requests.Asked;
       Request : Commands.Request;
-      Order   : Orders.Order)
+      Order   : Commands.Order)
    with
      Pre => not Order.Owed,
      Annotate => (GNATprove, Terminating);
@@ -74,7 +71,7 @@ package Robot.Line with SPARK_Mode is
    with Annotate => (GNATprove, Terminating);
 
    procedure Get_Rights
-     (Number : Orders.Ticket; Is_Over, By_Hand : out Boolean)
+     (Number : Commands.Ticket; Is_Over, By_Hand : out Boolean)
    with Annotate => (GNATprove, Terminating);
    --  Is_Over: the session of order Number has ended. By_Hand: an order by
    --  hand has come after it

@@ -119,10 +119,7 @@ package Robot.Line_Status with SPARK_Mode is
       Result : Commands.Outcome;
       Now    : Time)
    with
-     Post => S.Known.Open = Held.State.Line_Open
-       and then S.Known.Mode = Held.State.Mode
-       and then S.Known.Failures = Robot.Health.Failures (Held.State.Health)
-       and then (S.Known.Epoch /= S'Old.Known.Epoch) = Starts (Done, Result);
+     Post => (S.Known.Epoch /= S'Old.Known.Epoch) = Starts (Done, Result);
    --  Request Done has just ended with Result, the robot's dialogue as in Held
 
 end Robot.Line_Status;

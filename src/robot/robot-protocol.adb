@@ -20,20 +20,20 @@ package body Robot.Protocol with SPARK_Mode is
    end Prove_Same_Parity;
 
    procedure Accept_Byte
-     (R : in out Receiver; B : Byte; Complete : out Boolean)
-   is
+     (R : in out Receiver; B : Byte; F : out Frame; Complete : out Boolean) is
    begin
-      if R.Finished then
-         Clear (R);
-      end if;
+      F := (others => <>);
       Complete := B = Terminator;
       if Complete then
-         R.Finished := True;
+         if R.Length <= Max_Frame then
+            F := (R.Data, R.Length);
+         end if;
+         R := (others => <>);
       elsif R.Length < Max_Frame then
          R.Length := R.Length + 1;
          R.Data (R.Length) := B;
       else
-         R.Overflow := True;
+         R.Length := Max_Frame + 1;
       end if;
    end Accept_Byte;
 
@@ -46,53 +46,6 @@ package body Robot.Protocol with SPARK_Mode is
       end loop;
       return (if Result = Terminator then 16#0E# else Result);
    end Checksum;
-
-   procedure Clear (R : out Receiver) is
-   begin
-      R := (Data     => (others => 0),
-            Length   => 0,
-            Overflow => False,
-            Finished => False);
-   end Clear;
-
-   procedure Decode (F : Frame; Pending : Command_Kind; R : out Reply) is
-      Kind  : Reply_Kind  := Wrong_Kind;
-      Value : Reply_Value := 0;
-   begin
-      if Text_Length (F) = 0 then
-         Kind := Malformed;
-      elsif not Is_Sound (F) then
-         Kind := Bad_Checksum;
-      elsif Text_Length (F) > 1 then
-         if Pending = Version and then Is_Version (F) then
-            Kind := Version_Text;
-         end if;
-      else
-         case F.Data (1) is
-            when Character'Pos ('E') =>
-               Kind := Refused;
-            when Character'Pos ('C') =>
-               Kind := Unknown_Command;
-            when Character'Pos ('O') =>
-               if Class_Of (Pending) = Acknowledge then
-                  Kind := Done;
-               end if;
-            when Character'Pos ('0') | Character'Pos ('1') =>
-               if Class_Of (Pending) = Digit then
-                  Kind  := Digit_Kind (Pending);
-                  Value := Integer (F.Data (1)) - Character'Pos ('0');
-               end if;
-            when Character'Pos ('2') =>
-               if Pending = Battery then
-                  Kind  := Level;
-                  Value := 2;
-               end if;
-            when others =>
-               null;
-         end case;
-      end if;
-      R := (Kind, Value);
-   end Decode;
 
    procedure Encode (C : Command; F : out Frame) is
       Last : Frame_Length := 1;
@@ -122,14 +75,7 @@ package body Robot.Protocol with SPARK_Mode is
          end if;
       end;
       pragma Assert (Is_Framed (F));
-      pragma Assert (Is_Text_For (F, C.Kind));
    end Encode;
-
-   procedure Get (R : Receiver; F : out Frame) is
-   begin
-      F := (Data   => R.Data,
-            Length => (if R.Overflow then 0 else R.Length));
-   end Get;
 
    function Text_Of (F : Frame) return Commands.Answer_Text is
    begin
@@ -138,9 +84,6 @@ package body Robot.Protocol with SPARK_Mode is
       do
          for I in 1 .. Result.Length loop
             Result.Data (I) := Character'Val (F.Data (I));
-            pragma Loop_Invariant
-              (for all J in 1 .. I =>
-                 Result.Data (J) = Character'Val (F.Data (J)));
          end loop;
       end return;
    end Text_Of;

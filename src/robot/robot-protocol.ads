@@ -99,46 +99,31 @@ package Robot.Protocol with SPARK_Mode is
       and then F.Data (F.Length - 1) = Checksum (F.Data, F.Length - 2));
    --  Text, checksum and terminator, with no terminator before the end.
 
-   --  Used in the contracts on commands
+   --  Used in the contract of Encode
 
    package Byte_Decimals is new Decimals (Byte, Byte_Array);
 
-   function Is_Argument
-     (Data : Byte_Array; First : Positive; Last : Natural) return Boolean
-   is (if First < Last and then Data (First) = Character'Pos ('-') then
-          Last - First <= 5
-          and then Byte_Decimals.Are_Digits (Data, First + 1, Last)
-          and then Byte_Decimals.Value (Data, First + 1, Last) <= 32_768
-       else First <= Last
-         and then Last - First < 5
-         and then Byte_Decimals.Are_Digits (Data, First, Last)
-         and then Byte_Decimals.Value (Data, First, Last) <= 32_767)
-   with Pre => First >= Data'First
-     and then First < Integer'Last
-     and then Last <= Data'Last;
-   --  An optional minus sign and up to five digits, within the range.
+   function Has_Number
+     (F : Frame; First : Positive; Number : Byte_Decimals.Number)
+      return Boolean
+   is (First <= F.Length - 2
+       and then F.Length - First < 8
+       and then Byte_Decimals.Are_Digits (F.Data, First, F.Length - 2)
+       and then Byte_Decimals.Value (F.Data, First, F.Length - 2) = Number);
+   --  The text is Number from the byte First on.
 
-   function Argument_Value
-     (Data : Byte_Array; First : Positive; Last : Natural)
-      return Commands.Argument
-   is (if First < Last and then Data (First) = Character'Pos ('-')
-       then -Byte_Decimals.Value (Data, First + 1, Last)
-       else Byte_Decimals.Value (Data, First, Last))
-   with Pre => First >= Data'First
-     and then First < Integer'Last
-     and then Last <= Data'Last
-     and then Is_Argument (Data, First, Last);
-
-   function Is_Text_For (F : Frame; Kind : Command_Kind) return Boolean is
-     (F.Length >= 3
-      and then F.Data (1) = Character'Pos (Letter (Kind))
+   function Is_Text_Of (F : Frame; C : Command) return Boolean is
+     (F.Data (1) = Character'Pos (Letter (C.Kind))
       and then
-        (if Kind in With_Argument then
-            F.Length >= 5
-            and then F.Data (2) = Character'Pos ('=')
-            and then Is_Argument (F.Data, 3, F.Length - 2)
-         else F.Length = 3));
-   --  The frame has the text of a command of this kind.
+        (if C.Kind not in With_Argument then F.Length = 3
+         elsif C.Value >= 0 then
+            F.Data (2) = Character'Pos ('=')
+            and then Has_Number (F, 3, C.Value)
+         else
+            F.Data (2) = Character'Pos ('=')
+            and then F.Data (3) = Character'Pos ('-')
+            and then Has_Number (F, 4, -C.Value)));
+   --  The text is the letter of C, and its value in decimal if it has one.
 
    function Is_Movement (C : Command) return Boolean is
      (C.Kind in With_Argument and then C /= Stop);
@@ -146,12 +131,7 @@ package Robot.Protocol with SPARK_Mode is
 
    procedure Encode (C : Command; F : out Frame)
    with
-     Post => F.Length <= 10
-       and then Is_Framed (F)
-       and then Is_Text_For (F, C.Kind)
-       and then
-         (if C.Kind in With_Argument then
-             Argument_Value (F.Data, 3, F.Length - 2) = C.Value);
+     Post => F.Length <= 10 and then Is_Framed (F) and then Is_Text_Of (F, C);
    --  The frame of C, and of no other command: their letters differ.
 
    --  Replies
@@ -204,22 +184,13 @@ package Robot.Protocol with SPARK_Mode is
    --  for. Refused never has, since any command damaged on the line is
    --  refused.
 
-   --  Used in the contract of Decode. The frame's terminator may be present or
-   --  already removed.
+   --  A received frame has no terminator: its text and the checksum
 
    function Text_Length (F : Frame) return Natural is
-     (if F.Length > 0 and then F.Data (F.Length) = Terminator
-      then Natural'Max (F.Length - 2, 0)
-      else Natural'Max (F.Length - 1, 0))
-   with Post => Text_Length'Result <= Max_Frame - 1
-     and then (if Text_Length'Result > 0 then
-                  Text_Length'Result < F.Length);
+     (Natural'Max (F.Length - 1, 0));
    --  Bytes before the checksum; 0 if there is no text.
 
-   function Text_Of (F : Frame) return Commands.Answer_Text
-   with Post => Text_Of'Result.Length = Text_Length (F)
-     and then (for all I in 1 .. Text_Length (F) =>
-                 Text_Of'Result.Data (I) = Character'Val (F.Data (I)));
+   function Text_Of (F : Frame) return Commands.Answer_Text;
 
    function Is_Sound (F : Frame) return Boolean is
      (F.Data (Text_Length (F) + 1) = Checksum (F.Data, Text_Length (F)));
@@ -243,78 +214,50 @@ package Robot.Protocol with SPARK_Mode is
    function Digit_Kind (Pending : Command_Kind) return Reply_Kind is
      (if Pending = Battery then Level else Moving_State);
 
-   procedure Decode (F : Frame; Pending : Command_Kind; R : out Reply)
-   with
-     Post =>
-       R =
-         (if Text_Length (F) = 0 then (Malformed, 0)
-          elsif not Is_Sound (F) then (Bad_Checksum, 0)
-          elsif Is_Character (F, 'E') then (Refused, 0)
-          elsif Is_Character (F, 'C') then (Unknown_Command, 0)
-          elsif Is_Character (F, 'O')
-            and then Class_Of (Pending) = Acknowledge
-          then (Done, 0)
-          elsif Is_Character (F, '0')
-            and then Class_Of (Pending) = Digit
-          then (Digit_Kind (Pending), 0)
-          elsif Is_Character (F, '1')
-            and then Class_Of (Pending) = Digit
-          then (Digit_Kind (Pending), 1)
-          elsif Is_Character (F, '2') and then Pending = Battery
-          then (Level, 2)
-          elsif Is_Version (F) and then Pending = Version
-          then (Version_Text, 0)
-          else (Wrong_Kind, 0));
-   --  The meaning of frame F as the answer to Pending. Every frame has one. An
-   --  empty frame, which Get returns if the frame was too long, is Malformed.
+   function Decode (F : Frame; Pending : Command_Kind) return Reply is
+     (if Text_Length (F) = 0 then (Malformed, 0)
+      elsif not Is_Sound (F) then (Bad_Checksum, 0)
+      elsif Is_Character (F, 'E') then (Refused, 0)
+      elsif Is_Character (F, 'C') then (Unknown_Command, 0)
+      elsif Is_Character (F, 'O') and then Class_Of (Pending) = Acknowledge
+      then (Done, 0)
+      elsif Is_Character (F, '0') and then Class_Of (Pending) = Digit
+      then (Digit_Kind (Pending), 0)
+      elsif Is_Character (F, '1') and then Class_Of (Pending) = Digit
+      then (Digit_Kind (Pending), 1)
+      elsif Is_Character (F, '2') and then Pending = Battery
+      then (Level, 2)
+      elsif Is_Version (F) and then Pending = Version
+      then (Version_Text, 0)
+      else (Wrong_Kind, 0));
+   --  The meaning of frame F as the answer to Pending. Every frame has one.
 
    --  Receiving
 
    type Receiver is record
-      Data     : Byte_Array (1 .. Max_Frame) := (others => 0);
-      Length   : Frame_Length                := 0;
-      Overflow : Boolean                     := False;
-      Finished : Boolean                     := False;
+      Data   : Byte_Array (1 .. Max_Frame)    := (others => 0);
+      Length : Natural range 0 .. Max_Frame + 1 := 0;
    end record;
-   --  The frame being received, without its terminator. Overflow: more than
-   --  Max_Frame bytes, the rest was dropped. Finished: its terminator has been
-   --  received, and the next byte starts another frame.
-
-   procedure Clear (R : out Receiver)
-   with Post => R.Length = 0 and then not R.Overflow and then not R.Finished;
-   --  Discards all that has been received.
+   --  The first Length bytes of the frame that is being received. More than
+   --  Max_Frame: it is too long, and the rest is dropped.
 
    procedure Accept_Byte
-     (R : in out Receiver; B : Byte; Complete : out Boolean)
+     (R : in out Receiver; B : Byte; F : out Frame; Complete : out Boolean)
    with
      Post => Complete = (B = Terminator)
-       and then R.Finished = Complete
+       and then R.Length =
+         (if Complete then 0
+          else Natural'Min (R'Old.Length + 1, Max_Frame + 1))
+       and then F.Length =
+         (if Complete and then R'Old.Length <= Max_Frame then R'Old.Length
+          else 0)
+       and then (for all I in 1 .. F.Length => F.Data (I) = R'Old.Data (I))
        and then
-         (if R'Old.Finished then
-             R.Length = (if Complete then 0 else 1)
-             and then not R.Overflow
-          elsif Complete then
-             R.Length = R'Old.Length and then R.Overflow = R'Old.Overflow
-          elsif R'Old.Length = Max_Frame then
-             R.Length = Max_Frame and then R.Overflow
-          else
-             R.Length = R'Old.Length + 1
-             and then R.Overflow = R'Old.Overflow)
-       and then
-         (if not R'Old.Finished then
-            (for all I in 1 .. R'Old.Length => R.Data (I) = R'Old.Data (I)))
-       and then
-         (if not Complete and then not R.Overflow then
-             R.Data (R.Length) = B);
-   --  Takes the next byte from the line. Complete: it ended a frame, which Get
-   --  returns. NUL bytes are kept, since a checksum may be NUL. The robot
-   --  itself drops NUL bytes, but no command has such a checksum.
-
-   procedure Get (R : Receiver; F : out Frame)
-   with
-     Post => F.Length = (if R.Overflow then 0 else R.Length)
-       and then (for all I in 1 .. F.Length => F.Data (I) = R.Data (I));
-   --  The received frame, without its terminator; empty if it was too long,
-   --  which Decode rejects as malformed.
+         (for all I in 1 .. Natural'Min (R.Length, Max_Frame) =>
+            R.Data (I) = (if I <= R'Old.Length then R'Old.Data (I) else B));
+   --  Takes the next byte from the line. Complete: it ended the frame, which
+   --  is F, without its terminator; empty if it was too long. NUL bytes are
+   --  kept, since a checksum may be NUL. The robot itself drops NUL bytes, but
+   --  no command has such a checksum.
 
 end Robot.Protocol;

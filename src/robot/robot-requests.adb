@@ -2,7 +2,7 @@
 
 package body Robot.Requests with SPARK_Mode is
 
-   procedure Begin_Session (R : in out Requests; First : Orders.Ticket) is
+   procedure Begin_Session (R : in out Requests; First : Commands.Ticket) is
    begin
       R.First_Order := First;
       R.Last_Stop := 0;
@@ -19,7 +19,7 @@ package body Robot.Requests with SPARK_Mode is
       end loop;
    end Begin_Session;
 
-   procedure Put (R : in out Requests; Order : Orders.Order) is
+   procedure Put (R : in out Requests; Order : Commands.Order) is
       Name : constant Robot_Command := Order.Command.Name;
       From : constant Source := Source_Of (Name);
       Item : Job := (From, Request_Of (Order.Command), Order);
@@ -40,7 +40,7 @@ package body Robot.Requests with SPARK_Mode is
      (R       : in out Requests;
       From    : Asked;
       Request : Commands.Request;
-      Order   : Orders.Order) is
+      Order   : Commands.Order) is
    begin
       Job_Queues.Put (R.Waiting (From), (From, Request, Order));
       if From = Mission then
@@ -83,10 +83,5 @@ package body Robot.Requests with SPARK_Mode is
          end if;
       end if;
    end Take;
-
-   procedure Release (R : in out Requests) is
-   begin
-      R.In_Use := False;
-   end Release;
 
 end Robot.Requests;

@@ -3,7 +3,6 @@
 
 with Bounded_Queues;
 with Commands; use Commands;
-with Orders;
 with Robot.Session;
 with Schedule;
 
@@ -11,7 +10,7 @@ package Robot.Requests with SPARK_Mode is
 
    pragma Annotate (GNATprove, Terminating, Robot.Requests);
 
-   use type Orders.Ticket;
+   use type Commands.Ticket;
    use type Commands.Request_Kind;
    use type Schedule.Task_Name;
 
@@ -37,7 +36,7 @@ package Robot.Requests with SPARK_Mode is
    type Job is record
       From    : Source := Keep_Alive;
       Request : Commands.Request;
-      Order   : Orders.Order;
+      Order   : Commands.Order;
       --  the monitor's; number 0: none. Of Mission: the order that asked for
       --  the mission, never owed
    end record;
@@ -58,7 +57,7 @@ package Robot.Requests with SPARK_Mode is
          when others     => Table (Item.Order.Command.Name).By);
    --  The task that carries it out
 
-   package Job_Queues is new Bounded_Queues (Job, Orders.Capacity);
+   package Job_Queues is new Bounded_Queues (Job, Commands.Capacity);
 
    type Queue_Array is array (Source) of Job_Queues.Queue;
    type Source_Set is array (Source) of Boolean;
@@ -74,15 +73,15 @@ package Robot.Requests with SPARK_Mode is
       --  a task has the line
       Was_Stop     : Boolean := False;
       --  the last one was a monitor's stop
-      First_Order  : Orders.Ticket := 1;
+      First_Order  : Commands.Ticket := 1;
       --  of the session: orders with a lower number are out of date
-      Last_Stop    : Orders.Ticket := 0;
+      Last_Stop    : Commands.Ticket := 0;
       --  the session's last stop, 0: none
-      Last_Hand    : Orders.Ticket := 0;
+      Last_Hand    : Commands.Ticket := 0;
       --  its last order by hand (Commands.Is_By_Hand), 0: none
-      Last_Change  : Orders.Ticket := 0;
+      Last_Change  : Commands.Ticket := 0;
       --  its last order that changes the robot's session, 0: none
-      Last_Mission : Orders.Ticket := 0;
+      Last_Mission : Commands.Ticket := 0;
       --  the last mission that has asked for something, 0: none
    end record;
 
@@ -107,7 +106,7 @@ package Robot.Requests with SPARK_Mode is
    with Pre => Is_Pending (R, From);
 
    function Waits_For
-     (R : Requests; From : Source; Number : Orders.Ticket) return Boolean
+     (R : Requests; From : Source; Number : Commands.Ticket) return Boolean
    is (Is_Pending (R, From) and then Head (R, From).Order.Number <= Number);
    --  An order of From that has this number or a lower one waits, too
 
@@ -189,31 +188,18 @@ package Robot.Requests with SPARK_Mode is
             Job_Queues.Is_Same (R.Waiting (S), Before.Waiting (S))))
    with Ghost;
 
-   function Is_Same_Past (R, Before : Requests) return Boolean is
-     (R.First_Order = Before.First_Order
-      and then R.Last_Stop = Before.Last_Stop
-      and then R.Last_Hand = Before.Last_Hand
-      and then R.Last_Change = Before.Last_Change
-      and then R.Last_Mission = Before.Last_Mission)
-   with Ghost;
-
-   procedure Begin_Session (R : in out Requests; First : Orders.Ticket)
+   procedure Begin_Session (R : in out Requests; First : Commands.Ticket)
    with
      Post => R.First_Order = First
-       and then R.Last_Stop = 0
-       and then R.Last_Hand = 0
-       and then R.Last_Change = 0
        and then (for all S in Source =>
                    (if S not in Asked then
                        Job_Queues.Length (R.Waiting (S)) = 0));
    --  Orders with a number below First are now out of date
 
-   procedure Put (R : in out Requests; Order : Orders.Order)
+   procedure Put (R : in out Requests; Order : Commands.Order)
    with
      Pre  => Order.Command.Name in Robot_Command,
      Post => Is_Same_But (R, R'Old, Source_Of (Order.Command.Name))
-       and then R.First_Order = R'Old.First_Order
-       and then R.Last_Mission = R'Old.Last_Mission
        and then R.Last_Stop =
          (if Source_Of (Order.Command.Name) = Stop_Order then Order.Number
           else R'Old.Last_Stop)
@@ -228,12 +214,9 @@ package Robot.Requests with SPARK_Mode is
      (R       : in out Requests;
       From    : Asked;
       Request : Commands.Request;
-      Order   : Orders.Order)
+      Order   : Commands.Order)
    with
-     Post => Is_Same_But (R, R'Old, From)
-       and then R.First_Order = R'Old.First_Order
-       and then R.Last_Stop = R'Old.Last_Stop
-       and then R.Last_Hand = R'Old.Last_Hand;
+     Post => Is_Same_But (R, R'Old, From);
    --  A request of From itself
 
    type Choice is record
@@ -269,7 +252,6 @@ package Robot.Requests with SPARK_Mode is
      Post => Found =
          (Next (R'Old).Found
           and then User_Of (Head (R'Old, Next (R'Old).From)) = Who)
-       and then Is_Same_Past (R, R'Old)
        and then
          (if Found then
              R.In_Use
@@ -278,9 +260,5 @@ package Robot.Requests with SPARK_Mode is
              and then Is_Same_But (R, R'Old, Item.From)
           else R = R'Old and then Item = Item'Old);
    --  Found: the next request is one for Who, who has the line from now on
-
-   procedure Release (R : in out Requests)
-   with Post => not R.In_Use and then Is_Same_Past (R, R'Old);
-   --  Whoever had the line has it no longer
 
 end Robot.Requests;

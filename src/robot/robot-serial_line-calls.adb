@@ -16,7 +16,7 @@ is
    function Fcntl (Fd, Command, Argument : int) return int
    with Import, Convention => C_Variadic_2, External_Name => "fcntl";
 
-   function Is_Terminal_Device (Fd : int) return int
+   function Is_Terminal (Fd : int) return int
    with Import, Convention => C, External_Name => "isatty";
 
    Exclusive     : constant := 16#540C#;  --  TIOCEXCL
@@ -36,28 +36,37 @@ is
 
    procedure Open (Path : String; Result : out Outcome) is
       Port : Serial_Port;
+      Fd   : int := -1;
    begin
       Open (Port, Port_Name (Path));
-      Control (int (To_C (Port)), Close_On_Exec);
-      Result := Outcome (To_C (Port));
+      Fd := int (To_C (Port));
+      Control (Fd, Close_On_Exec);
+      if Is_Terminal (Fd) = 0 then
+         Result := No_Terminal;
+         Linux.Close (Fd);
+      elsif Advise (Fd, 6) < 0 then  --  LOCK_EX, LOCK_NB
+         Result := Outcome_Of (-1);
+         Linux.Close (Fd);
+      else
+         Control (Fd, Exclusive);
+         --  Blocking: with a time-out GNAT 12 turns the echo on
+         Set (Port, B9600, CS8, One, None,
+              Block => True, Local => True, Flow => None, Timeout => 0.0);
+         --  F_SETFL, O_NONBLOCK
+         Result := Outcome_Of (Ssize (Fcntl (Fd, 4, 8#4000#)));
+         if Result < 0 then
+            Close (Outcome (Fd));
+         else
+            Result := Outcome (Fd);
+         end if;
+      end if;
    exception
       when others =>
          Result := Outcome_Of (-1);
+         if Fd >= 0 then
+            Close (Outcome (Fd));
+         end if;
    end Open;
-
-   procedure Get_Terminal (Descriptor : Outcome; Is_Terminal : out Boolean) is
-   begin
-      Is_Terminal := Is_Terminal_Device (int (Descriptor)) = 1;
-   end Get_Terminal;
-
-   procedure Lock (Descriptor : Outcome; Result : out Outcome) is
-   begin
-      --  LOCK_EX, LOCK_NB
-      Result := Outcome_Of (Ssize (Advise (int (Descriptor), 6)));
-      if Result >= 0 then
-         Control (int (Descriptor), Exclusive);
-      end if;
-   end Lock;
 
    procedure Get_Start
      (Path : String; Data : in out String; Last : out Natural)
@@ -75,33 +84,22 @@ is
       Linux.Close (File);
    end Get_Start;
 
-   procedure Get_Status (Path : String; Status : out File_Status) is
+   procedure Get_Numbers (Path : String; File : out Terminal_Users.File) is
       Current_Folder : constant int      := -100;    --  AT_FDCWD
       Wanted         : constant unsigned := 16#100#; --  STATX_INO
+      Status         : File_Status := (others => 0);
       Ignored        : int;
+
+      function Device_At (Word : Positive) return Terminal_Users.Device is
+        (Natural (Status (Word) mod 2 ** 12),
+         Natural (Status (Word + 1) mod 2 ** 19));
    begin
-      Status := (others => 0);
       Ignored := Status_Of
         (Current_Folder, To_C (Path), 0, Wanted, Status'Address);
-   end Get_Status;
-
-   procedure Get_Place
-     (Path : String; Place : out Terminal_Users.File_Place)
-   is
-      Status : File_Status;
-   begin
-      Get_Status (Path, Status);
-      Place := (Status (35), Status (36), Natural (Status (9) mod 2 ** 31));
-   end Get_Place;
-
-   procedure Get_Device
-     (Path : String; Device : out Terminal_Users.Device_Number)
-   is
-      Status : File_Status;
-   begin
-      Get_Status (Path, Status);
-      Device := (Status (33), Status (34));
-   end Get_Device;
+      File := (Itself => Device_At (33),
+               Place  => Device_At (35),
+               Inode  => Natural (Status (9) mod 2 ** 31));
+   end Get_Numbers;
 
    procedure Get_Processes (Data : in out String; Last : out Natural) is
       use GNAT.Directory_Operations;
@@ -125,39 +123,17 @@ is
          null;
    end Get_Processes;
 
-   procedure Configure (Descriptor : Outcome; Result : out Outcome) is
-      Port : Serial_Port;
-   begin
-      To_Ada (Port, Serial_Port_Descriptor (Descriptor));
-      --  Blocking: with a time-out GNAT 12 turns the echo on
-      Set (Port, B9600, CS8, One, None,
-           Block => True, Local => True, Flow => None, Timeout => 0.0);
-      Result := 0;
-   exception
-      when others =>
-         Result := Outcome_Of (-1);
-   end Configure;
-
-   procedure Set_Non_Blocking (Descriptor : Outcome; Result : out Outcome) is
-   begin
-      --  F_SETFL, O_NONBLOCK
-      Result := Outcome_Of (Ssize (Fcntl (int (Descriptor), 4, 8#4000#)));
-   end Set_Non_Blocking;
-
-   procedure Unlock (Descriptor : Outcome) is
-   begin
-      Control (int (Descriptor), Not_Exclusive);
-   end Unlock;
-
    procedure Close (Descriptor : Outcome) is
    begin
+      Control (int (Descriptor), Not_Exclusive);
       Linux.Close (int (Descriptor));
    end Close;
 
-   procedure Discard_Input (Descriptor : Outcome) is
+   procedure Discard (Descriptor : Outcome; What : Queue) is
    begin
-      Tc_Flush (int (Descriptor), 0);  --  TCIFLUSH
-   end Discard_Input;
+      --  TCIFLUSH, TCOFLUSH
+      Tc_Flush (int (Descriptor), Queue'Pos (What));
+   end Discard;
 
    procedure Get_Unsent (Descriptor : Outcome; Result : out Outcome) is
       Count : int := 0;
@@ -168,11 +144,6 @@ is
          Result := Outcome (Count);
       end if;
    end Get_Unsent;
-
-   procedure Discard_Output (Descriptor : Outcome) is
-   begin
-      Tc_Flush (int (Descriptor), 1);  --  TCOFLUSH
-   end Discard_Output;
 
    procedure Write
      (Descriptor : Outcome;

@@ -16,13 +16,14 @@ is
    subtype Outcome is Integer range -Integer'Last .. Integer'Last;
    --  What a call returns, or, if it fails, its error (errno), negative
 
-   Interrupted : constant Outcome := -4;   --  EINTR
-   Input_Output_Error : constant Outcome := -5;  --  EIO
-   No_Such_Address : constant Outcome := -6;  --  ENXIO
-   No_Data     : constant Outcome := -11;  --  EAGAIN
-   Not_Permitted : constant Outcome := -13;  --  EACCES
-   Busy        : constant Outcome := -16;  --  EBUSY
-   No_Such_Device : constant Outcome := -19;  --  ENODEV
+   Interrupted        : constant Outcome := -4;   --  EINTR
+   Input_Output_Error : constant Outcome := -5;   --  EIO
+   No_Such_Address    : constant Outcome := -6;   --  ENXIO
+   No_Data            : constant Outcome := -11;  --  EAGAIN
+   Not_Permitted      : constant Outcome := -13;  --  EACCES
+   Busy               : constant Outcome := -16;  --  EBUSY
+   No_Such_Device     : constant Outcome := -19;  --  ENODEV
+   No_Terminal        : constant Outcome := -25;  --  ENOTTY
 
    No_Descriptor : constant Outcome := -1;
    --  Calls with it fail
@@ -31,17 +32,11 @@ is
 
    procedure Open (Path : String; Result : out Outcome)
    with Global => (In_Out => Port);
-   --  Does not wait for a carrier. Result: the descriptor
-
-   procedure Get_Terminal (Descriptor : Outcome; Is_Terminal : out Boolean)
-   with Global => (In_Out => Port);
-   --  Whether it is a serial line
-
-   procedure Lock (Descriptor : Outcome; Result : out Outcome)
-   with Global => (In_Out => Port);
-   --  An advisory lock, which binds programs of root, too, and then the
-   --  kernel's (TIOCEXCL), which keeps the programs of others out. Result:
-   --  No_Data if another program has it
+   --  Does not wait for a carrier; 9600 baud, 8N1, raw, no echo; neither Read
+   --  nor Write waits. With an advisory lock, which binds programs of root,
+   --  too, and then the kernel's (TIOCEXCL), which keeps the programs of
+   --  others out. Result: the descriptor; No_Data if another program has the
+   --  lock, No_Terminal if this is not a serial line
 
    procedure Get_Start
      (Path : String; Data : in out String; Last : out Natural)
@@ -51,14 +46,9 @@ is
      Post   => Last <= Data'Last;
    --  What the file at Path begins with: Data (1 .. Last)
 
-   procedure Get_Place (Path : String; Place : out Terminal_Users.File_Place)
+   procedure Get_Numbers (Path : String; File : out Terminal_Users.File)
    with Global => (In_Out => Port);
    --  Of the file at Path
-
-   procedure Get_Device
-     (Path : String; Device : out Terminal_Users.Device_Number)
-   with Global => (In_Out => Port);
-   --  At Path
 
    procedure Get_Processes (Data : in out String; Last : out Natural)
    with
@@ -68,31 +58,19 @@ is
    --  The numbers of all processes, as many as fit, each followed by a blank:
    --  Data (1 .. Last)
 
-   procedure Configure (Descriptor : Outcome; Result : out Outcome)
-   with Global => (In_Out => Port);
-   --  9600 baud, 8N1, raw, no echo. Read and Write wait
-
-   procedure Set_Non_Blocking (Descriptor : Outcome; Result : out Outcome)
-   with Global => (In_Out => Port);
-   --  From here on neither Read nor Write waits
-
-   procedure Unlock (Descriptor : Outcome) with Global => (In_Out => Port);
-   --  Takes the kernel's lock back, which a pseudo-terminal would keep. The
-   --  other ends with Close
-
    procedure Close (Descriptor : Outcome) with Global => (In_Out => Port);
-   --  Waits up to 30 s for what has not left
+   --  Waits up to 30 s for what has not left. Takes the kernel's lock back,
+   --  which a pseudo-terminal would keep; the other ends with it
 
-   procedure Discard_Input (Descriptor : Outcome)
+   type Queue is (Received, Written);
+
+   procedure Discard (Descriptor : Outcome; What : Queue)
    with Global => (In_Out => Port);
+   --  What has been received and not read, or written and has not left
 
    procedure Get_Unsent (Descriptor : Outcome; Result : out Outcome)
    with Global => (In_Out => Port);
    --  Result: how many bytes have been written and have not left
-
-   procedure Discard_Output (Descriptor : Outcome)
-   with Global => (In_Out => Port);
-   --  What has been written and has not left
 
    procedure Write
      (Descriptor : Outcome;

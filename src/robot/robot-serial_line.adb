@@ -18,8 +18,15 @@ is
 
    Is_Gone : Boolean := False with Atomic, Async_Readers, Async_Writers;
 
-   procedure Note_End (Result : Calls.Outcome);
-   --  Notes whether the device has gone, by what a call returned
+   procedure Note_End (Result : Calls.Outcome) is
+      --  Notes whether the device has gone, by what a call returned
+   begin
+      if Result in 0 | Calls.Input_Output_Error | Calls.No_Such_Address
+                 | Calls.No_Such_Device
+      then
+         Is_Gone := True;
+      end if;
+   end Note_End;
 
    procedure Append_Process (To : in out Texts.Text; Number : String) is
       --  Its name, and its number
@@ -41,10 +48,13 @@ is
       --  Why the device cannot be opened, after a call has failed with Error
       Table : String (1 .. 8_192) := (others => ' ');
       Last  : Natural;
-      File  : Terminal_Users.File_Place;
+      File  : Terminal_Users.File;
       Owner : Texts.Text;
    begin
-      if Error /= Calls.Busy and then Error /= Calls.No_Data then
+      if Error = Calls.No_Terminal then
+         Texts.Set (Reason, "not a serial line");
+         return;
+      elsif Error /= Calls.Busy and then Error /= Calls.No_Data then
          Process.Describe (-Error, Reason);
          if Error = Calls.Not_Permitted then
             Texts.Append
@@ -52,7 +62,7 @@ is
          end if;
          return;
       end if;
-      Calls.Get_Place (Texts.Image (Path), File);
+      Calls.Get_Numbers (Texts.Image (Path), File);
       Calls.Get_Start ("/proc/locks", Table, Last);
       Terminal_Users.Find_Lock (Table (1 .. Last), File, Owner);
       Texts.Set (Reason, "in use by ");
@@ -66,45 +76,20 @@ is
    procedure Open
      (Path : Texts.Text; Success : out Boolean; Reason : out Texts.Text)
    is
-      Opened      : Calls.Outcome;
-      Result      : Calls.Outcome;
-      Is_Terminal : Boolean;
-      Ignored     : Boolean;
+      Opened  : Calls.Outcome;
+      Ignored : Boolean;
    begin
       Close (Ignored);
-      Success := False;
       Calls.Open (Texts.Image (Path), Opened);
-      if Opened < 0 then
+      Success := Opened >= 0;
+      if Success then
+         Descriptor := Opened;
+         Is_Gone := False;
+         Calls.Discard (Opened, Calls.Received);
+         Texts.Set (Reason, "");
+      else
          Explain (Path, Opened, Reason);
-         return;
       end if;
-      Calls.Get_Terminal (Opened, Is_Terminal);
-      if not Is_Terminal then
-         Texts.Set (Reason, "not a serial line");
-         Calls.Close (Opened);
-         return;
-      end if;
-      Calls.Lock (Opened, Result);
-      if Result < 0 then
-         Explain (Path, Result, Reason);
-         Calls.Close (Opened);
-         return;
-      end if;
-      Descriptor := Opened;
-      Is_Gone := False;
-      Calls.Configure (Opened, Result);
-      if Result >= 0 then
-         --  after Configure, which makes it wait
-         Calls.Set_Non_Blocking (Opened, Result);
-      end if;
-      if Result < 0 then
-         Process.Describe (-Result, Reason);
-         Close (Ignored);
-         return;
-      end if;
-      Calls.Discard_Input (Opened);
-      Texts.Set (Reason, "");
-      Success := True;
    end Open;
 
    procedure Close (All_Sent : out Boolean) is
@@ -128,16 +113,15 @@ is
       end loop;
       if Unsent > 0 then
          All_Sent := False;
-         Calls.Discard_Output (Old);
+         Calls.Discard (Old, Calls.Written);
       end if;
-      Calls.Unlock (Old);
       Calls.Close (Old);
    end Close;
 
    procedure Discard_Input is
       Line : constant Calls.Outcome := Descriptor;
    begin
-      Calls.Discard_Input (Line);
+      Calls.Discard (Line, Calls.Received);
    end Discard_Input;
 
    function Next_Wait (Now, Until_Time : Time) return Calls.Nanoseconds is
@@ -209,28 +193,17 @@ is
       end if;
    end Read;
 
-   procedure Write_Stop (Success : out Boolean)
-   with Global => (Input => Descriptor, In_Out => Calls.Port)
-   is
-      --  Writes the stop order's frame
-      Line  : constant Calls.Outcome := Descriptor;
-      Frame : Robot.Protocol.Frame;
-      Sent  : Calls.Outcome;
-   begin
-      Robot.Protocol.Encode (Robot.Protocol.Stop, Frame);
-      Calls.Write (Line, Frame.Data, Frame.Length, Sent);
-      Success := Sent = Frame.Length;
-   end Write_Stop;
-
    procedure Send_Stop
      (Path : Texts.Text; Sent : out Boolean; Report : out Texts.Text)
    is
       Reason   : Texts.Text;
+      Length   : Robot.Protocol.Frame_Length;
       All_Sent : Boolean;
    begin
       Open (Path, Sent, Reason);
       if Sent then
-         Write_Stop (Sent);
+         Write
+           (Robot.Protocol.Stop, Robot.Session.Not_Started, Length, Sent);
          Close (All_Sent);
          Sent := Sent and All_Sent;
          Texts.Set (Reason, "it takes nothing");
@@ -246,22 +219,13 @@ is
       end if;
    end Send_Stop;
 
-   procedure Note_End (Result : Calls.Outcome) is
-   begin
-      if Result in 0 | Calls.Input_Output_Error | Calls.No_Such_Address
-                 | Calls.No_Such_Device
-      then
-         Is_Gone := True;
-      end if;
-   end Note_End;
-
    procedure Get_Gone (Gone : out Boolean) is
    begin
       Gone := Is_Gone;
    end Get_Gone;
 
    procedure Get_Use (Path : Texts.Text; Used : out Texts.Text) is
-      Device  : Terminal_Users.Device_Number;
+      File    : Terminal_Users.File;
       Table   : String (1 .. 2_048) := (others => ' ');
       Last    : Natural;
       Numbers : String (1 .. 65_536) := (others => ' ');
@@ -269,9 +233,9 @@ is
       Start   : Positive := 1;
    begin
       Texts.Set (Used, "");
-      Calls.Get_Device (Texts.Image (Path), Device);
+      Calls.Get_Numbers (Texts.Image (Path), File);
       Calls.Get_Start ("/proc/consoles", Table, Last);
-      if Terminal_Users.Is_Console (Table (1 .. Last), Device) then
+      if Terminal_Users.Is_Console (Table (1 .. Last), File.Itself) then
          Texts.Set (Used, "it is a console of the kernel");
          return;
       end if;
@@ -281,7 +245,8 @@ is
          if Numbers (I) = ' ' then
             Calls.Get_Start
               ("/proc/" & Numbers (Start .. I - 1) & "/stat", Table, Last);
-            if Terminal_Users.Is_Of_Session (Table (1 .. Last), Device) then
+            if Terminal_Users.Is_Of_Session (Table (1 .. Last), File.Itself)
+            then
                Append_Process (Used, Numbers (Start .. I - 1));
                Texts.Append (Used, " has it as its terminal");
                return;
@@ -292,9 +257,15 @@ is
    end Get_Use;
 
    procedure Stop_Blindly is
-      Ignored : Boolean;
+      Length  : Robot.Protocol.Frame_Length;
+      Success : Boolean;
    begin
-      Write_Stop (Ignored);
+      Write
+        (Robot.Protocol.Stop, Robot.Session.Not_Started, Length, Success);
+      Trace.Put
+        (Trace.Ordered, Schedule.Th_Stop,
+         Label => Robot.Protocol.Letter (Robot.Protocol.Stop.Kind)
+           & "     ");
    end Stop_Blindly;
 
 end Robot.Serial_Line;

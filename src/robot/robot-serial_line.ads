@@ -7,6 +7,7 @@ with Bytes;
 with Robot.Protocol;
 with Robot.Session;
 with Texts;
+with Trace;
 
 package Robot.Serial_Line with
   SPARK_Mode,
@@ -77,7 +78,8 @@ is
    --  What else the device is for: a console of the kernel, a login; empty if
    --  nothing is known
 
-   procedure Stop_Blindly with Global => (In_Out => Device);
+   procedure Stop_Blindly
+   with Global => (In_Out => (Device, Trace.Recorder));
    --  Writes the stop order's frame from any task: the last resort when the
    --  supervisor ends by an internal failure
 

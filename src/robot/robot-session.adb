@@ -10,29 +10,6 @@ package body Robot.Session with SPARK_Mode is
       Phase   : Phase_Kind;
       Command : Wire.Command;
       Next    : out Step)
-   with
-     Pre  => Phase in Exchange_Phase
-       and then S.Line_Open
-       and then not Robot.Health.Lost (S.Health)
-       and then (if P.Blind then P.Stopped),
-     Post => Is_Exchanging (S, P)
-       and then P.Request = P'Old.Request
-       and then P.Phase = Phase
-       and then P.Wanted = Command
-       and then P.Tries = P'Old.Tries
-       and then P.Off_Sent = P'Old.Off_Sent
-       and then P.Result = P'Old.Result
-       and then P.Stopped = (P'Old.Stopped or else Sends_Stop (Next))
-       and then
-         (if Robot.Health.In_Step (S.Health) then
-             Next.Kind = Exchange and then Next.Command = Command
-          elsif Next.Kind = Send then
-             Command = Wire.Stop and then Sends_Stop (Next)
-          else Next.Kind = Synchronise
-             and then P.In_Probe
-             and then Next.Command.Kind = Robot.Health.Probe (S.Health)
-             and then Next.Command.Value = 0)
-       and then (if P'Old.Blind then Next.Kind /= Send)
    is
       --  The step that exchanges Command in Phase. If the line is out of step,
       --  a probe comes first, and before the probe a blind stop
@@ -49,8 +26,7 @@ package body Robot.Session with SPARK_Mode is
          Next := (Send, Command);
       else
          P.In_Probe := True;
-         P.Probing  := Robot.Health.Probe (S.Health);
-         Next := (Synchronise, (Kind => P.Probing, Value => 0));
+         Next := (Synchronise, (Robot.Health.Probe (S.Health), Value => 0));
       end if;
    end Begin_Exchange;
 
@@ -58,15 +34,6 @@ package body Robot.Session with SPARK_Mode is
      (P    : in out Progress;
       Kind : Outcome_Kind;
       Next : out Step)
-   with
-     Post => P.Phase = Ended
-       and then P.Request = P'Old.Request
-       and then P.Stopped = P'Old.Stopped
-       and then P.Result.Kind = Kind
-       and then P.Result.Text = P'Old.Result.Text
-       and then P.Result.Note = P'Old.Result.Note
-       and then Next.Kind = Finish
-       and then Next.Command = Wire.Stop
    is
       --  Ends the request
    begin
@@ -79,29 +46,6 @@ package body Robot.Session with SPARK_Mode is
      (S    : State;
       P    : in out Progress;
       Next : out Step)
-   with
-     Pre  => Is_Consistent (S)
-       and then P.Result.Note /= Robot_Lost
-       and then (if P.Blind then P.Stopped)
-       and then
-         (if P.Request.Kind = Open_Line then
-             not S.Line_Open and then not P.Blind
-          else S.Line_Open and then May_Act (S, P)),
-     Post => Is_Under_Way (S, P)
-       and then Is_Allowed (S, P, Next)
-       and then P.Request = P'Old.Request
-       and then P.Result = P'Old.Result
-       and then P.Stopped = (P'Old.Stopped or else Sends_Stop (Next))
-       and then Next.Kind /= Finish
-       and then (Next.Kind = Open_Device) = (P.Request.Kind = Open_Line)
-       and then Steps_Left (S, P) <=
-         (case P.Request.Kind is
-             when Reload       => 11,
-             when Drive | Stop => 8,
-             when Open_Line    => 6,
-             when Close_Line   => 1,
-             when Power_Off    => 7,
-             when others       => 5)
    is
       --  The command of the request, after the stop if one was due
    begin
@@ -125,27 +69,19 @@ package body Robot.Session with SPARK_Mode is
    is
    begin
       P := (Request => R, others => <>);
-      if R.Kind = Open_Line then
-         if S.Line_Open then
-            Finish (P, Done, Next);
-         else
-            Act (S, P, Next);
-         end if;
-      elsif not S.Line_Open then
-         if R.Kind = Close_Line then
-            Finish (P, Done, Next);
-         else
-            Finish (P, Not_Open, Next);
-         end if;
-      elsif (R.Kind = Drive and then S.Mode = Not_Started)
-        or else (R.Kind = Stop and then S.Idle)
-      then
-         Finish (P, Refused, Next);
-      elsif (R.Kind = Reload and then S.Mode /= Started_With_Watchdog)
+      if not S.Line_Open and then R.Kind not in Open_Line | Close_Line then
+         Finish (P, Not_Open, Next);
+      elsif (R.Kind = Open_Line and then S.Line_Open)
+        or else (R.Kind = Close_Line and then not S.Line_Open)
+        or else (R.Kind = Reload and then S.Mode /= Started_With_Watchdog)
         or else
           (R.Kind = Reload_By_Hand and then S.Mode = Started_With_Watchdog)
       then
          Finish (P, Done, Next);
+      elsif (R.Kind = Drive and then S.Mode = Not_Started)
+        or else (R.Kind = Stop and then S.Idle)
+      then
+         Finish (P, Refused, Next);
       elsif R.Kind in Close_Line | Reset | Power_Off
         and then S.Mode /= Not_Started
       then
@@ -236,10 +172,11 @@ package body Robot.Session with SPARK_Mode is
    is
       --  The exchange of the phase, or the probe before it, has failed
       Pending : constant Wire.Command_Kind :=
-        (if P.In_Probe then P.Probing else P.Wanted.Kind);
+        (if P.In_Probe then Robot.Health.Probe (S.Health)
+         else P.Wanted.Kind);
       Probed  : constant Boolean := P.In_Probe;
    begin
-      Robot.Health.Failure (S.Health, Pending);
+      S.Health := Robot.Health.After_Failure (S.Health, Pending);
       P.In_Probe := False;
       P.Result.Kind := Timed_Out;
       if Robot.Health.Lost (S.Health) then
@@ -272,12 +209,12 @@ package body Robot.Session with SPARK_Mode is
       elsif P.Phase = Clearing then
          --  the line stays open: the robot may be switched off
          Finish (P, Done, Next);
-      elsif P.Phase in Asking_Motion | Testing_Run then
-         if P.Request.Kind = Reload then
+      else
+         if P.Phase in Asking_Motion | Testing_Run
+           and then P.Request.Kind = Reload
+         then
             P.Result.Note := Missed_Window;
          end if;
-         Finish (P, Timed_Out, Next);
-      else
          Finish (P, Timed_Out, Next);
       end if;
    end Unanswered;
@@ -324,24 +261,17 @@ package body Robot.Session with SPARK_Mode is
             Next := (Finish, Wire.Stop);
 
          when Clearing | Leaving | Acting | Asking_Motion | Testing_Run =>
-            if P.Blind and then not P.In_Probe
-              and then not Robot.Health.In_Step (S.Health)
-              and then P.Wanted = Wire.Stop
-            then
-               --  the blind stop has been sent; now synchronise
-               Begin_Exchange (S, P, Phase, Wanted, Next);
-            elsif Phase = Clearing and then not P.In_Probe
-              and then not Robot.Health.In_Step (S.Health)
-            then
-               --  the reset, too, has been sent
+            if not P.In_Probe and then not Robot.Health.In_Step (S.Health) then
+               --  the blind stop has been sent, or the reset of a newly opened
+               --  line; now synchronise
                Begin_Exchange (S, P, Phase, Wanted, Next);
             elsif not Last.Ok then
                Unanswered (S, P, Next);
             elsif P.In_Probe then
-               Robot.Health.Success (S.Health);
+               S.Health := Robot.Health.Initial;
                Begin_Exchange (S, P, Phase, Wanted, Next);
             else
-               Robot.Health.Success (S.Health);
+               S.Health := Robot.Health.Initial;
                Answered (S, P, Last, Next);
             end if;
       end case;

@@ -94,13 +94,6 @@ package Robot.Session with SPARK_Mode is
    function Sends_Movement (Next : Step) return Boolean is
      (Is_Sent (Next) and then Robot.Protocol.Is_Movement (Next.Command));
 
-   function Sends_Reload (Next : Step) return Boolean is
-     (Is_Sent (Next) and then Next.Command.Kind = Robot.Protocol.Reload);
-
-   function Is_Reload_Active (S : State) return Boolean is
-     (S.Mode = Started_With_Watchdog);
-   --  The supervisor reloads the robot's watchdog periodically
-
    function Is_Accepted (Last : Step_Result) return Boolean is
      (Last.Ok and then Last.Reply.Kind in Robot.Protocol.Accepted_Reply);
    --  The robot acknowledged the step's command
@@ -124,12 +117,13 @@ package Robot.Session with SPARK_Mode is
      --  a movement is sent only while started, and never after a stop
      ((if Sends_Movement (Next) then
           S.Mode /= Not_Started and then not Has_Stopped (P))
-      --  a periodic reload is sent while reloads are active, a monitor's
-      --  reload only while they are not
+      --  the periodic reload is sent only while started with watchdog, a
+      --  monitor's only while not
       and then
-        (if Sends_Reload (Next) then
-            Request_Of (P).Kind =
-              (if Is_Reload_Active (S) then Reload else Reload_By_Hand))
+        (if Is_Sent (Next) and then Next.Command.Kind = Robot.Protocol.Reload
+         then Request_Of (P).Kind =
+           (if S.Mode = Started_With_Watchdog then Reload
+            else Reload_By_Hand))
       --  nothing is sent on a closed line
       and then
         (if Is_Sent (Next) or else Next.Kind = Close_Device then S.Line_Open)
@@ -147,9 +141,7 @@ package Robot.Session with SPARK_Mode is
             Sends_Stop (Next)
             or else (Next.Command.Kind = Robot.Protocol.Reset
                      and then Request_Of (P).Kind = Open_Line))
-      and then
-        (if Next.Kind = Finish then
-            Is_Consistent (S) and then Steps_Left (S, P) = 0))
+      and then (if Next.Kind = Finish then Is_Consistent (S)))
    with
      Ghost,
      Pre => Is_Under_Way (S, P);
@@ -167,12 +159,8 @@ package Robot.Session with SPARK_Mode is
        and then Request_Of (P) = R
        and then Has_Stopped (P) = Sends_Stop (Next)
        and then Steps_Left (S, P) <= Max_Steps
-       and then (if R.Kind = Drive and then S.Mode = Not_Started
-                 then Next.Kind = Finish)
-       and then (if R.Kind = Reload
-                 then (Next.Kind /= Finish) = Is_Reload_Active (S))
-       and then (if not S.Line_Open
-                 then Next.Kind in Open_Device | Finish);
+       and then (if R.Kind = Reload then
+                   (Next.Kind /= Finish) = (S.Mode = Started_With_Watchdog));
    --  The first step of R
 
    procedure Continue_Request
@@ -224,21 +212,18 @@ private
    Leave_Tries : constant := 3;
    --  Attempts of the stop before leaving, while the line works
 
-   subtype Try_Count is Natural range 0 .. Leave_Tries;
-
    type Progress is record
       Request  : Commands.Request;
       Phase    : Phase_Kind                  := Ended;
       Wanted   : Robot.Protocol.Command      := Robot.Protocol.Stop;
       --  the command of the phase's exchange
-      Probing  : Robot.Protocol.Command_Kind := Robot.Protocol.Version;
       In_Probe : Boolean                     := False;
       --  the current exchange only synchronises the line
       Blind    : Boolean                     := False;
       --  the stop has been sent once while out of step
       Stopped  : Boolean                     := False;
       --  a stop has been sent, in step or not
-      Tries    : Try_Count                   := 0;
+      Tries    : Natural range 0 .. Leave_Tries := 0;
       Off_Sent : Boolean                     := False;
       --  Power_Off has been sent, and was not answered
       Result   : Outcome;
@@ -253,15 +238,16 @@ private
    subtype Exchange_Phase is Phase_Kind range Clearing .. Testing_Run;
 
    function May_Act (S : State; P : Progress) return Boolean is
-     (case P.Request.Kind is
-         when Open_Line                      => False,
-         when Close_Line | Reset | Power_Off =>
-           S.Mode = Not_Started or else P.Stopped,
-         when Drive                          =>
-           S.Mode /= Not_Started and then not P.Stopped,
-         when Reload                         => Is_Reload_Active (S),
-         when Reload_By_Hand                 => not Is_Reload_Active (S),
-         when others                         => True)
+     (P.Request.Kind not in Open_Line | Close_Line
+      and then
+        (if P.Request.Kind in Reset | Power_Off then
+            S.Mode = Not_Started or else P.Stopped)
+      and then
+        (if Robot.Protocol.Is_Movement (P.Wanted) then
+            S.Mode /= Not_Started and then not P.Stopped)
+      and then
+        (if P.Wanted.Kind = Robot.Protocol.Reload then
+            (P.Request.Kind = Reload) = (S.Mode = Started_With_Watchdog)))
    with Ghost;
    --  The request's own command may be sent on the open line
 
@@ -309,11 +295,8 @@ private
                       and then P.Request.Kind in
                         Close_Line | Reset | Power_Off,
                     when Acting        =>
-                      P.Request.Kind /= Close_Line
-                      and then P.Wanted = Command_For (P.Request)
-                      and then
-                        (May_Act (S, P)
-                         or else P.Wanted = Robot.Protocol.Stop),
+                      P.Wanted = Command_For (P.Request)
+                      and then May_Act (S, P),
                     when Asking_Motion =>
                       P.Request.Kind = Reload
                       and then P.Wanted.Kind = Robot.Protocol.Busy,

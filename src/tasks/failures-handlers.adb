@@ -29,16 +29,18 @@ package body Failures.Handlers with SPARK_Mode => Off is
       procedure Ended
         (Cause : Cause_Of_Termination; T : Task_Id; X : Exception_Occurrence)
       is
-         Item : Notice;
+         Line : Texts.Text;
       begin
-         Item.Of_Stop := T = Support_Tasks.Th_Stop'Identity;
-         Texts.Set (Item.Who, Image (T));
+         Texts.Set (Line, "internal failure: task ");
+         Texts.Append (Line, Image (T));
+         Texts.Append (Line, " ended");
          if Cause = Unhandled_Exception then
-            Item.By_Exception := True;
-            Texts.Set (Item.Name, Exception_Name (X));
-            Texts.Set (Item.Message, Exception_Message (X));
+            Texts.Append (Line, ", ");
+            Texts.Append (Line, Exception_Name (X));
+            Texts.Append (Line, " ");
+            Texts.Append (Line, Exception_Message (X));
          end if;
-         React (Item);
+         React (Line, Of_Stop => T = Support_Tasks.Th_Stop'Identity);
       end Ended;
 
    end Handler;

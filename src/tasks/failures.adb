@@ -7,31 +7,16 @@ with Journal;
 with Options;
 with Process.Signals;
 with Robot.Serial_Line;
+with Schedule;
 
 package body Failures with SPARK_Mode is
 
-   package Stop_Failed is new Event;
+   package Stop_Failed is new Event (Schedule.Main);
 
-   function Line_Of (Item : Notice) return Texts.Text is
-      --  For the log
-      Line : Texts.Text;
+   procedure React (Line : Texts.Text; Of_Stop : Boolean) is
    begin
-      Texts.Append (Line, "internal failure: task ");
-      Texts.Append (Line, Texts.Image (Item.Who));
-      Texts.Append (Line, " ended");
-      if Item.By_Exception then
-         Texts.Append (Line, ", ");
-         Texts.Append (Line, Texts.Image (Item.Name));
-         Texts.Append (Line, " ");
-         Texts.Append (Line, Texts.Image (Item.Message));
-      end if;
-      return Line;
-   end Line_Of;
-
-   procedure React (Item : Notice) is
-   begin
-      Journal.Put (Options.Error, Line_Of (Item));
-      if Item.Of_Stop then
+      Journal.Put (Options.Error, Line);
+      if Of_Stop then
          Robot.Serial_Line.Stop_Blindly;
          Stop_Failed.Set;
       else

@@ -12,20 +12,9 @@ package Failures with SPARK_Mode is
 
 private
 
-   type Notice is record
-      Of_Stop      : Boolean := False;
-      --  it was the task that ends the process
-      Who          : Texts.Text;
-      By_Exception : Boolean := False;
-      Name         : Texts.Text;
-      Message      : Texts.Text;
-      --  of the exception, if any
-   end record;
-   --  What the run time tells of a task that has ended
-
-   procedure React (Item : Notice);
-   --  For the handler of Failures.Handlers: puts a line into the log and tells
-   --  the task that ends the process. If that one has failed, the robot is
-   --  stopped here, and the main procedure is told
+   procedure React (Line : Texts.Text; Of_Stop : Boolean);
+   --  For the handler of Failures.Handlers, when a task has ended: puts Line
+   --  into the log and tells the task that ends the process. If it was that
+   --  one (Of_Stop), the robot is stopped here, and the main procedure is told
 
 end Failures;

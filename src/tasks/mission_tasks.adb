@@ -13,20 +13,19 @@ with Monitor.Notices;
 with Monitor.Outbox;
 with Monitor.Protocol;
 with Options;
-with Orders;
 with Process.Threads;
 with Robot.Line;
 with Robot.Requests;
 with Robot.Service;
 with Robot.Users;
 with Settings;
-with Vision.Sightings;
+with Trace;
 with Vision.State;
 
 package body Mission_Tasks with SPARK_Mode is
 
    type Mission is record
-      Order : Orders.Order;
+      Order : Commands.Order;
       --  that has asked for it: answered, its number is the mission's
       Begun : Missions.Grounds.Ground;
       Map   : Missions.Arenas.Map;
@@ -49,7 +48,7 @@ package body Mission_Tasks with SPARK_Mode is
    begin
       Robot.Line.Get_Status (G.Line);
       Vision.State.Store.Get (G.View);
-      Vision.Sightings.Store.Get (G.Seen);
+      Vision.State.Store.Get_Sighting (G.Seen);
       G.Now := Clock;
    end Get_Ground;
 
@@ -92,9 +91,9 @@ package body Mission_Tasks with SPARK_Mode is
       Missions.Runs.Start
         (M.Run, Size, Targets, Wanted.Count, Missions.Grounds.Lead);
       Journal.Put (Options.Info, "mission begins");
-      Vision.Sightings.Store.Watch (True);
+      Vision.State.Store.Watch (True);
       Drive (M);
-      Vision.Sightings.Store.Watch (False);
+      Vision.State.Store.Watch (False);
       Missions.Requests.Place.Release;
       Monitor.Outbox.Put
         ((Kind   => Monitor.Mailboxes.Ending,
@@ -131,8 +130,7 @@ package body Mission_Tasks with SPARK_Mode is
       Told     : Report;
       Is_Over  : Boolean;
       By_Hand  : Boolean;
-      Ends     : Boolean;
-      Why      : Abort_Reason;
+      Why      : Ending;
       Next     : Action;
       Result   : Commands.Outcome;
       Was_Turn : Boolean;
@@ -144,8 +142,8 @@ package body Mission_Tasks with SPARK_Mode is
            (not M.Order.Owed and then Missions.Arenas.Is_Usable (M.Map));
          Get_Ground (Ground);
          Robot.Line.Get_Rights (M.Order.Number, Is_Over, By_Hand);
-         Missions.Grounds.Look (M.Begun, Ground, Is_Over, By_Hand, Ends, Why);
-         if Ends then
+         Why := Missions.Grounds.Ended_By (M.Begun, Ground, Is_Over, By_Hand);
+         if Why /= Completed then
             End_By (M.Run, Why);
          end if;
          See
@@ -161,7 +159,7 @@ package body Mission_Tasks with SPARK_Mode is
             loop
                pragma Loop_Invariant
                  (not M.Order.Owed and then Missions.Arenas.Is_Usable (M.Map));
-               Robot.Users.Mission.Wait_In_Job;
+               Robot.Users.Mission.Wait_In_Job (Trace.Line);
                Robot.Service.Serve (Schedule.Th_Mission, Result, Was_Turn);
                exit when Was_Turn;
             end loop;
@@ -170,7 +168,7 @@ package body Mission_Tasks with SPARK_Mode is
             Tell (M.Run, Result, Now);
          end if;
          Due := Next_Look (M.Run, Now);
-         Vision.Sightings.Wait_Until
+         Vision.State.Wait_Sighting
            (Missions.Grounds.Next_Time (Base, Ground.Now, Due));
       end loop;
    end Drive;

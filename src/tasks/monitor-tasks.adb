@@ -1,26 +1,22 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
 
 with Ada.Real_Time;    use Ada.Real_Time;
-with Admission.Authentication;
+with Admission;
 with Admission.Newcomers;
 with Admission.Secret_Files;
 with Commands; use Commands;
 with Console;
 with Journal;
 with Missions.Requests;
-with Monitor.Image_Messages;
 with Monitor.Link;
 with Monitor.Mailboxes;
 with Monitor.Outbox;
 with Monitor.Paths;
 with Monitor.Protocol; use Monitor.Protocol;
-with Monitor.Send_Order;
 with Monitor.Session;
 with Monitor.Sockets.Connection;
 with Monitor.Sockets.Gate;
-with Monitor.Sockets.Listener;
 with Options;
-with Orders;
 with Process.Threads;
 with Robot.Line;
 with Robot.Requests;
@@ -29,20 +25,19 @@ with Robot.Users;
 with Settings;
 with Texts;
 with Trace;
-with Vision.Camera_Requests;
-with Vision.Frame_Store;
+with Vision.Frames;
 with Vision.State;
 with Vision.Turns;
 
 package body Monitor.Tasks with SPARK_Mode is
 
    use type Monitor.Link.Cause;
-   use type Monitor.Send_Order.Choice;
+   use type Monitor.Mailboxes.Choice;
 
    procedure Start_Server (Gate : out Admission.Newcomers.Gate) is
       --  Listens, or says why it cannot and ends the process (F1)
       Chosen  : Options.Values renames Settings.Command_Line.Chosen;
-      Token   : Admission.Authentication.Token;
+      Token   : Admission.Token;
       Bound   : Options.Port_Number;
       Success : Boolean;
       Reason  : Texts.Text;
@@ -51,35 +46,25 @@ package body Monitor.Tasks with SPARK_Mode is
       Admission.Secret_Files.Read_Token (Chosen.Token_File, Token, Reason);
       Gate := Admission.Newcomers.New_Gate (Chosen.Allowed, Token);
       if Token.Length = 0 and then Chosen.Token_File.Length > 0 then
-         Texts.Set (Line, "destijl: cannot use the token file ");
-         Texts.Append (Line, Texts.Image (Chosen.Token_File));
-         Texts.Append (Line, ": ");
-         Texts.Append (Line, Texts.Image (Reason));
-         Console.Put_Log (Texts.Image (Line));
-         Process.Leave (Process.Cannot_Start);
+         Console.Cannot_Start
+           ("cannot use the token file " & Texts.Image (Chosen.Token_File)
+            & ": " & Texts.Image (Reason));
       end if;
-      Monitor.Sockets.Listener.Listen
+      Monitor.Sockets.Listen
         (Chosen.Bind, Chosen.Port, Bound, Success, Reason);
-      if Success then
-         Texts.Set (Line, "listening on ");
-      else
-         Texts.Set (Line, "destijl: cannot listen on ");
-         Bound := Chosen.Port;
-      end if;
-      Texts.Append (Line, Texts.Image (Chosen.Bind));
+      Texts.Set (Line, Texts.Image (Chosen.Bind));
       Texts.Append (Line, ":");
-      Texts.Append (Line, Bound);
-      if Success then
-         Texts.Append (Line, ", for ");
-         Texts.Append (Line, Options.Admitted (Chosen));
-         Journal.Put (Options.Info, Line);
-         Monitor.Session.Listening.Set;
-      else
-         Texts.Append (Line, ": ");
-         Texts.Append (Line, Texts.Image (Reason));
-         Console.Put_Log (Texts.Image (Line));
-         Process.Leave (Process.Cannot_Start);
+      Texts.Append (Line, (if Success then Bound else Chosen.Port));
+      if not Success then
+         Console.Cannot_Start
+           ("cannot listen on " & Texts.Image (Line) & ": "
+            & Texts.Image (Reason));
       end if;
+      Journal.Put
+        (Options.Info,
+         "listening on " & Texts.Image (Line) & ", for "
+         & Options.Admitted (Chosen));
+      Monitor.Session.Listening.Set;
    end Start_Server;
 
    task body Th_Server is
@@ -93,7 +78,7 @@ package body Monitor.Tasks with SPARK_Mode is
       end loop;
    end Th_Server;
 
-   procedure Ask_For_Mission (Line : String; Order : in out Orders.Order)
+   procedure Ask_For_Mission (Line : String; Order : in out Commands.Order)
    with
      Pre  => Line'First = 1
        and then Line'Last <= Max_Line
@@ -108,7 +93,7 @@ package body Monitor.Tasks with SPARK_Mode is
       Valid : Boolean;
    begin
       Monitor.Paths.Parse
-        (Line, Line'First + Text_Offset, Measure (Name), Is_Single (Name),
+        (Line, Line'First + Text_Offset, Measure (Name), Most_Points (Name),
          Path, Valid);
       if Valid then
          Missions.Requests.Put (Order, Path);
@@ -118,9 +103,21 @@ package body Monitor.Tasks with SPARK_Mode is
       end if;
    end Ask_For_Mission;
 
+   procedure Log (Level : Options.Level; What, Line : String)
+   with
+     Pre => Line'First > 0 and then Line'Last <= Max_Line
+   is
+      --  What, and what the monitor or another client has sent
+      Text : Texts.Text;
+   begin
+      Texts.Set (Text, What);
+      Admission.Append_Shown (Text, Line);
+      Journal.Put (Level, Text);
+   end Log;
+
    procedure Handle
      (Line  : String;
-      Order : in out Orders.Order;
+      Order : in out Commands.Order;
       Open  : out Boolean)
    with
      Pre  => Line'First = 1
@@ -130,20 +127,16 @@ package body Monitor.Tasks with SPARK_Mode is
    is
       --  One line of the monitor: its message becomes Order, which is answered
       --  here or goes to its task. Not Open: the session has ended
-      Text : Texts.Text;
       Kept : Boolean;
    begin
       Parse (Line, Order.Command);
       Journal.Get_Kept (Options.Debug, Kept);
       if Kept and then Order.Command.Name /= Sign_Of_Life then
-         Texts.Set (Text, "received ");
-         Admission.Authentication.Append_Shown (Text, Line);
-         Journal.Put (Options.Debug, Text);
+         Log (Options.Debug, "received ", Line);
       end if;
       Monitor.Outbox.Reserve (Order);
       Open := Order.Owed;
       if Open then
-         Trace.Received (Order.Command.Name, Order.Number);
          case Order.Command.Name is
             when Mission_Command =>
                Ask_For_Mission (Line, Order);
@@ -156,43 +149,25 @@ package body Monitor.Tasks with SPARK_Mode is
                Monitor.Outbox.Answer (Order, No_Line);
             when Log_Message =>
                Monitor.Outbox.Answer (Order, No_Line);
-               Texts.Set (Text, "monitor says: ");
-               Admission.Authentication.Append_Shown
-                 (Text, Line (Line'First + Text_Offset .. Line'Last));
-               Journal.Put (Options.Info, Text);
+               Log (Options.Info, "monitor says: ",
+                    Line (Line'First + Text_Offset .. Line'Last));
             when Malformed   =>
                Monitor.Outbox.Answer (Order, Not_Understood);
-               Texts.Set (Text, "not understood: ");
-               Admission.Authentication.Append_Shown (Text, Line);
-               Journal.Put (Options.Warning, Text);
+               Log (Options.Warning, "not understood: ", Line);
          end case;
       end if;
    end Handle;
 
-   procedure Tell_Stranger (Line : String)
-   with
-     Pre => Line'First = 1 and then Line'Last <= Max_Line
-   is
-      --  Into the log: a client has begun with Line
-      Text : Texts.Text;
-   begin
-      Texts.Set
-        (Text, "closing the connection of a client that is no monitor; it "
-         & "begins with: ");
-      Admission.Authentication.Append_Shown (Text, Line);
-      Journal.Put (Options.Warning, Text);
-   end Tell_Stranger;
-
    task body Th_Receive_From_Mon is
       Incoming : String (1 .. 4096) := (others => ' ');
-      Line     : String (1 .. Max_Line) := (others => ' ');
+      Line     : Line_Buffer := (others => ' ');
       Length   : Natural;
-      Last     : Natural;
+      Last     : Line_Length;
       Reader   : Line_Reader;
       Complete : Boolean;
       Open     : Boolean;
       Begun    : Beginning;
-      Order    : Orders.Order;
+      Order    : Commands.Order;
    begin
       Process.Threads.Name_Task (Schedule.Th_Receive_From_Mon);
       loop
@@ -206,11 +181,12 @@ package body Monitor.Tasks with SPARK_Mode is
          loop
             pragma Loop_Invariant (not Order.Owed);
             Monitor.Sockets.Connection.Receive (Incoming, Length, Open);
-            Trace.Take_Up (Schedule.Th_Receive_From_Mon);
             if Begun = Undecided and then Open then
                Judge (Reader, Incoming (1 .. Length), Begun, Line, Last);
                if Begun = Unknown then
-                  Tell_Stranger (Line (1 .. Last));
+                  Log (Options.Warning,
+                       "closing the connection of a client that is no "
+                       & "monitor; it begins with: ", Line (1 .. Last));
                   exit;
                end if;
             end if;
@@ -220,24 +196,23 @@ package body Monitor.Tasks with SPARK_Mode is
                Accept_Character (Reader, Incoming (I), Complete);
                if Complete then
                   Get_Line (Reader, Line, Last);
+                  Reader := (others => <>);
                   Handle (Line (1 .. Last), Order, Open);
                end if;
             end loop;
             exit when not Open;
-            Trace.Done (Schedule.Th_Receive_From_Mon);
          end loop;
          --  the watch sees it, whatever ended the connection
          Monitor.Sockets.Connection.Shut_Down;
          Monitor.Session.Receive_Ended.Set;
-         Trace.Done (Schedule.Th_Receive_From_Mon);
       end loop;
    end Th_Receive_From_Mon;
 
    procedure Send
      (Next  : in out Monitor.Mailboxes.Item;
-      Image : access constant Monitor.Image_Messages.Message)
+      Image : access constant Monitor.Outbox.Message)
    with
-     Pre  => Next.Unsent and then Next.Kind /= Monitor.Send_Order.Nothing,
+     Pre  => Next.Unsent and then Next.Kind /= Monitor.Mailboxes.Nothing,
      Post => not Next.Unsent
    is
       --  Image: the message, where it is one of an image
@@ -250,11 +225,9 @@ package body Monitor.Tasks with SPARK_Mode is
       elsif Next.Is_Image then
          Monitor.Sockets.Connection.Send
            (Image.Data, Image.Length, Next.Unsent, Success);
-         Trace.Sent (Image.Data (1 .. 4));
       else
          Monitor.Sockets.Connection.Send
            (Next.Line.Data, Next.Line.Length, Next.Unsent, Success);
-         Trace.Sent (Next.Line.Data (1 .. 4));
       end if;
       --  before the session may end: the next has a connection, too
       if not Success then
@@ -263,55 +236,42 @@ package body Monitor.Tasks with SPARK_Mode is
    end Send;
 
    task body Th_Send_To_Mon is
-      Between   : Monitor.Send_Order.Milliseconds renames
+      Between   : Monitor.Mailboxes.Milliseconds renames
         Settings.Command_Line.Chosen.Message_Gap;
       Last_Sent : Time := Time_First;
-      Gap       : Monitor.Send_Order.Milliseconds;
-      Hold_End  : Time := Time_Last;
       Next_Look : Time;
       Now       : Time;
       Next      : Monitor.Mailboxes.Item;
-      Image     : Monitor.Image_Messages.Message_Access :=
-        new Monitor.Image_Messages.Message;
-      Begun     : Boolean;
+      Image     : Monitor.Outbox.Message_Access :=
+        new Monitor.Outbox.Message;
    begin
       Process.Threads.Name_Task (Schedule.Th_Send_To_Mon);
       loop
          pragma Loop_Invariant (not Next.Unsent);
-         Monitor.Outbox.Wait (Hold_End);
-         Begun := False;
+         Monitor.Outbox.Wait (Next.Hold_End);
          loop
             pragma Loop_Invariant (not Next.Unsent);
-            Monitor.Outbox.Take
-              (Between, Last_Sent, Next, Image, Gap, Hold_End);
-            exit when not Next.Unsent and then Gap = 0;
-            if not Begun then
-               Trace.Start (Schedule.Th_Send_To_Mon);
-            end if;
-            Begun := not Next.Unsent;
+            Monitor.Outbox.Take (Between, Last_Sent, Next, Image);
+            exit when not Next.Unsent and then Next.Gap = 0;
             if Next.Unsent then
                Send (Next, Image);
                Last_Sent := Clock;
-               Trace.Done (Schedule.Th_Send_To_Mon);
             else
                --  an answer that comes meanwhile has a shorter gap
                Now := Clock;
-               Next_Look := Now + Milliseconds (Monitor.Send_Order.Answer_Gap);
-               if Last_Sent + Milliseconds (Gap) < Next_Look then
-                  Next_Look := Last_Sent + Milliseconds (Gap);
+               Next_Look := Now + Milliseconds (Monitor.Mailboxes.Answer_Gap);
+               if Last_Sent + Milliseconds (Next.Gap) < Next_Look then
+                  Next_Look := Last_Sent + Milliseconds (Next.Gap);
                end if;
-               Trace.Wait (Schedule.Th_Send_To_Mon, Trace.Gap);
-               delay until Next_Look;
-               Trace.Resume (Schedule.Th_Send_To_Mon, Next_Look);
+               Process.Threads.Sleep_Until
+                 (Schedule.Th_Send_To_Mon, Next_Look, Trace.Gap);
             end if;
          end loop;
-         Trace.Done (Schedule.Th_Send_To_Mon);
-         Trace.Idle (Schedule.Th_Send_To_Mon);
       end loop;
    end Th_Send_To_Mon;
 
    procedure Wait_Loss (Why : out Monitor.Link.Cause)
-   with Post => Why /= Monitor.Link.Nothing
+   with Post => Why /= Monitor.Link.Present
    is
       --  Until the monitor in command is lost
       Seconds  : constant Options.Silence_Seconds :=
@@ -322,7 +282,7 @@ package body Monitor.Tasks with SPARK_Mode is
       Link    : Monitor.Link.State;
       Sample  : Monitor.Link.Sample;
       Verdict : Monitor.Link.Verdict := Monitor.Link.Present;
-      Loss    : Monitor.Link.Loss_Kind;
+      Loss    : Monitor.Link.Cause;
       Known   : Monitor.Session.Status;
       Line    : Texts.Text;
       Now     : Time;
@@ -337,26 +297,25 @@ package body Monitor.Tasks with SPARK_Mode is
          Texts.Append (Line, "; signs of life are not watched");
          Journal.Put (Options.Warning, Line);
       end if;
-      Monitor.Link.Start (Link, Sample.Now);
+      Link := Monitor.Link.Started (Sample.Now);
       loop
          Monitor.Sockets.Connection.Watch (Schedule.Link_Period, Loss);
-         Trace.Take_Up (Schedule.Th_Com_Mon_Perdue);
          Monitor.Session.State.Get (Known);
          Monitor.Sockets.Connection.Sample (Patience, Sample);
          if Sample.Known then
-            Monitor.Link.Judge (Link, Sample, Verdict);
+            Link := Monitor.Link.After (Link, Sample);
+            Verdict := Monitor.Link.Verdict_On (Link, Sample);
          end if;
          Why := Monitor.Link.Cause_Of (Known.Stopping, Loss, Verdict);
-         exit when Why /= Monitor.Link.Nothing;
+         exit when Why /= Monitor.Link.Present;
          Now := Clock;
-         Vision.Frame_Store.Look_At_Silence (Now);
-         Trace.Done (Schedule.Th_Com_Mon_Perdue);
+         Vision.Frames.Look_At_Silence (Now);
       end loop;
    end Wait_Loss;
 
    procedure Bring_Back is
       --  Robot, camera and queues to their initial state (F6)
-      Next    : Orders.Ticket;
+      Next    : Commands.Ticket;
       Stopped : Boolean;
       Ignored : Commands.Outcome;
       Idle    : Boolean;
@@ -371,31 +330,28 @@ package body Monitor.Tasks with SPARK_Mode is
         (Robot.Requests.Safe_State,
          (Kind => Commands.Close_Line, others => <>), (others => <>));
       loop
-         Robot.Users.Monitor_Lost.Wait_In_Job;
+         Robot.Users.Monitor_Lost.Wait_In_Job (Trace.Line);
          Robot.Service.Serve (Schedule.Th_Com_Mon_Perdue, Ignored, Stopped);
          exit when Stopped;
       end loop;
       Vision.State.Store.Begin_Session (Next);
-      Vision.Camera_Requests.Requests.Close;
       --  a search for the arena does not wait for a camera that hangs
-      Vision.Frame_Store.End_Delivery;
+      Vision.Frames.End_Delivery;
       Monitor.Outbox.Wait_Sender;
-      Trace.Wait (Schedule.Th_Com_Mon_Perdue, Trace.Tasks);
-      Monitor.Session.Receive_Ended.Wait;
-      Trace.Resume (Schedule.Th_Com_Mon_Perdue);
+      Monitor.Session.Receive_Ended.Wait_In_Job (Trace.Tasks);
       Vision.Turns.Clear;
       --  a camera that hangs in its driver is not waited for: it closes as
       --  soon as the driver lets go of it
       Now := Clock;
       Limit := Now + Schedule.Camera_Release_Limit;
       loop
-         Vision.Camera_Requests.Requests.Get_Idle (Idle);
+         Vision.State.Store.Get_Idle (Idle);
          exit when Idle;
          Now := Clock;
          exit when Now >= Limit;
-         Trace.Wait (Schedule.Th_Com_Mon_Perdue, Trace.Camera);
-         delay until Now + Schedule.Release_Poll;
-         Trace.Resume (Schedule.Th_Com_Mon_Perdue);
+         Process.Threads.Sleep_Until
+           (Schedule.Th_Com_Mon_Perdue, Now + Schedule.Release_Poll,
+            Trace.Camera);
       end loop;
    end Bring_Back;
 
@@ -417,7 +373,6 @@ package body Monitor.Tasks with SPARK_Mode is
            (Options.Info, "session closed, ready for a new monitor");
          Monitor.Session.State.Go_On (Monitor.Session.Free);
          Monitor.Sockets.Gate.Wake_Server;
-         Trace.Done (Schedule.Th_Com_Mon_Perdue);
       end loop;
    end Th_Com_Mon_Perdue;
 

@@ -13,7 +13,6 @@ with Robot.Requests;
 with Robot.Serial_Line;
 with Robot.Session;
 with Robot.Users;
-with Trace;
 
 package body Robot.Service with SPARK_Mode is
 
@@ -63,8 +62,8 @@ package body Robot.Service with SPARK_Mode is
    procedure Tell_Of_Start (Mode : Robot.Session.Mode_Kind) is
       --  The robot has begun to run: the periodic tasks look when they are due
    begin
-      Robot.Users.Battery.Signal;
-      Robot.Users.Open_Com.Signal;
+      Robot.Users.Battery.Set;
+      Robot.Users.Open_Com.Set;
       Journal.Put
         (Options.Info,
          (if Mode = Robot.Session.Started_With_Watchdog
@@ -88,13 +87,6 @@ package body Robot.Service with SPARK_Mode is
            (if Verdict = Robot.Requests.Late then Commands.Timed_Out
             else Commands.Refused),
          others => <>);
-      if Who in Schedule.Th_Mission | Schedule.Th_Com_Mon_Perdue then
-         null;  --  in the middle of a job
-      elsif Found then
-         Trace.Start (Who, Item.Order.Number);
-      else
-         Trace.Idle (Who);
-      end if;
       if not Found then
          return;
       end if;
@@ -114,12 +106,19 @@ package body Robot.Service with SPARK_Mode is
         and then Held.State.Mode /= Robot.Session.Not_Started
       then
          Monitor.Outbox.Put
-           ((Kind   => Monitor.Mailboxes.Level,
+           ((Kind   => Monitor.Mailboxes.Battery,
              Line   => Monitor.Protocol.Battery_Notice (Result),
              others => <>));
       end if;
       pragma Assert (not Item.Order.Owed);
       Tell_Of (Result.Note, Empty);
+   end Serve;
+
+   procedure Serve (Who : Schedule.Task_Name) is
+      Ignored_Result : Commands.Outcome;
+      Ignored_Found  : Boolean;
+   begin
+      Serve (Who, Ignored_Result, Ignored_Found);
    end Serve;
 
 end Robot.Service;

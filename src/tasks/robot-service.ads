@@ -13,4 +13,7 @@ package Robot.Service with SPARK_Mode is
    --  Takes the line, carries out the request and gives the line back; answers
    --  the monitor's order, if it is one. Not Found: it is the turn of another
 
+   procedure Serve (Who : Schedule.Task_Name);
+   --  The same, for tasks that need no result
+
 end Robot.Service;

@@ -1,7 +1,6 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
 
 with Ada.Real_Time; use Ada.Real_Time;
-with Commands;
 with Process.Threads;
 with Robot.Line;
 with Robot.Requests;
@@ -11,87 +10,69 @@ with Robot.Users;
 package body Robot.Tasks with SPARK_Mode is
 
    task body Th_Open_Com_Robot is
-      Next           : Time := Time_Last;
-      Was_Set        : Boolean;
-      Ignored_Result : Commands.Outcome;
-      Ignored_Found  : Boolean;
+      Next    : Time := Time_Last;
+      Was_Set : Boolean;
    begin
       Process.Threads.Name_Task (Schedule.Th_Open_Com_Robot);
       loop
          Robot.Users.Open_Com.Wait_Until (Next, Was_Set);
          if Was_Set then
-            Robot.Service.Serve
-              (Schedule.Th_Open_Com_Robot, Ignored_Result, Ignored_Found);
+            Robot.Service.Serve (Schedule.Th_Open_Com_Robot);
          end if;
          Robot.Line.Look (Robot.Requests.Keep_Alive, Next);
       end loop;
    end Th_Open_Com_Robot;
 
    task body Th_Start_Robot is
-      Ignored_Result : Commands.Outcome;
-      Ignored_Found  : Boolean;
    begin
       Process.Threads.Name_Task (Schedule.Th_Start_Robot);
       loop
          Robot.Users.Start.Wait;
-         Robot.Service.Serve
-           (Schedule.Th_Start_Robot, Ignored_Result, Ignored_Found);
+         Robot.Service.Serve (Schedule.Th_Start_Robot);
       end loop;
    end Th_Start_Robot;
 
    task body Th_Start_Robot_WD is
-      Next           : Time := Time_Last;
-      Was_Set        : Boolean;
-      Ignored_Result : Commands.Outcome;
-      Ignored_Found  : Boolean;
+      Next    : Time := Time_Last;
+      Was_Set : Boolean;
    begin
       Process.Threads.Name_Task (Schedule.Th_Start_Robot_WD);
       loop
          Robot.Users.Start_WD.Wait_Until (Next, Was_Set);
          if Was_Set then
-            Robot.Service.Serve
-              (Schedule.Th_Start_Robot_WD, Ignored_Result, Ignored_Found);
+            Robot.Service.Serve (Schedule.Th_Start_Robot_WD);
          end if;
          Robot.Line.Look (Robot.Requests.Reload, Next);
       end loop;
    end Th_Start_Robot_WD;
 
    task body Th_Reset_Robot is
-      Ignored_Result : Commands.Outcome;
-      Ignored_Found  : Boolean;
    begin
       Process.Threads.Name_Task (Schedule.Th_Reset_Robot);
       loop
          Robot.Users.Reset.Wait;
-         Robot.Service.Serve
-           (Schedule.Th_Reset_Robot, Ignored_Result, Ignored_Found);
+         Robot.Service.Serve (Schedule.Th_Reset_Robot);
       end loop;
    end Th_Reset_Robot;
 
    task body Th_Move is
-      Ignored_Result : Commands.Outcome;
-      Ignored_Found  : Boolean;
    begin
       Process.Threads.Name_Task (Schedule.Th_Move);
       loop
          Robot.Users.Move.Wait;
-         Robot.Service.Serve
-           (Schedule.Th_Move, Ignored_Result, Ignored_Found);
+         Robot.Service.Serve (Schedule.Th_Move);
       end loop;
    end Th_Move;
 
    task body Th_Battery_Level is
-      Next           : Time := Time_Last;
-      Was_Set        : Boolean;
-      Ignored_Result : Commands.Outcome;
-      Ignored_Found  : Boolean;
+      Next    : Time := Time_Last;
+      Was_Set : Boolean;
    begin
       Process.Threads.Name_Task (Schedule.Th_Battery_Level);
       loop
          Robot.Users.Battery.Wait_Until (Next, Was_Set);
          if Was_Set then
-            Robot.Service.Serve
-              (Schedule.Th_Battery_Level, Ignored_Result, Ignored_Found);
+            Robot.Service.Serve (Schedule.Th_Battery_Level);
          end if;
          Robot.Line.Look (Robot.Requests.Battery, Next);
       end loop;

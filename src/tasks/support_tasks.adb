@@ -1,6 +1,7 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
 
 with Ada.Real_Time; use Ada.Real_Time;
+with Commands;
 with Console;
 with Journal;
 with Monitor.Session;
@@ -10,11 +11,10 @@ with Process.Signals;
 with Process.Threads;
 with Robot.Line;
 with Robot.Line_Status;
-with Robot.Protocol; use Robot.Protocol;
 with Robot.Serial_Line;
 with Texts;
 with Trace;
-with Vision.Camera_Requests;
+with Vision.State;
 
 package body Support_Tasks with SPARK_Mode is
 
@@ -53,7 +53,6 @@ package body Support_Tasks with SPARK_Mode is
       loop
          Journal.Take (Item);
          Write (Item);
-         Journal.Written;
       end loop;
    end Th_Console;
 
@@ -67,14 +66,13 @@ package body Support_Tasks with SPARK_Mode is
       loop
          Monitor.Session.State.Get (Known);
          Robot.Line.Get_Status (Status);
-         Vision.Camera_Requests.Requests.Get_Idle (Idle);
+         Vision.State.Store.Get_Idle (Idle);
          exit when Known.Stage = Monitor.Session.Free
            and then not Status.Open and then Idle;
          Now := Clock;
          exit when Now >= Limit;
-         Trace.Wait (Schedule.Th_Stop, Trace.Tasks);
-         delay until Now + Schedule.Release_Poll;
-         Trace.Resume (Schedule.Th_Stop);
+         Process.Threads.Sleep_Until
+           (Schedule.Th_Stop, Now + Schedule.Release_Poll, Trace.Tasks);
       end loop;
    end Wait_Session_End;
 
@@ -117,12 +115,10 @@ package body Support_Tasks with SPARK_Mode is
       Process.Threads.Name_Task (Schedule.Th_Stop);
       loop
          Process.Signals.Wait (Kind);
-         Trace.Take_Up (Schedule.Th_Stop);
          if Kind = Process.Signals.Failure then
             --  whichever task has failed, the robot stops now, for good
-            Robot.Line.Refuse_Orders;
+            Robot.Line.Begin_Session (Commands.Ticket'Last);
             Robot.Serial_Line.Stop_Blindly;
-            Trace.Ordered (Schedule.Th_Stop, Letter (Stop.Kind));
          end if;
          Journal.Put (Options.Info, "stopping");
          Monitor.Session.State.Stop;
@@ -134,7 +130,6 @@ package body Support_Tasks with SPARK_Mode is
          Robot.Line.Get_Status (Status);
          if Status.Open then
             Robot.Serial_Line.Stop_Blindly;
-            Trace.Ordered (Schedule.Th_Stop, Letter (Stop.Kind));
             Robot.Serial_Line.Close (Ignored);
          end if;
          Journal.Put
@@ -143,7 +138,6 @@ package body Support_Tasks with SPARK_Mode is
              else "stopped"));
          Now := Clock;
          Wait_Console (Now + Schedule.Console_Limit);
-         Trace.Done (Schedule.Th_Stop);
          Finish_Trace;
          Process.Leave
            (if Kind = Process.Signals.Failure then Process.Internal_Failure

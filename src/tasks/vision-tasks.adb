@@ -7,56 +7,50 @@ with Journal;
 with Missions.Guards;
 with Monitor.Mailboxes;
 with Monitor.Notices;
-with Monitor.Outbox;
-with Monitor.Positions;
+with Monitor.Positions; use Monitor.Positions;
 with Monitor.Protocol; use Monitor.Protocol;
 with Options;
-with Orders;
 with Process.Threads;
 with Settings;
 with Texts;
-with Trace;
-with Vision.Camera_Requests;
 with Vision.Following;
-with Vision.Frame_Store;
+with Vision.Frames;
 with Vision.Image_Grid;
 with Vision.Library;
-with Vision.Mode;
-with Vision.Reports;
-with Vision.Shapes;
-with Vision.Sightings;
+with Vision.Mode;           use Vision.Mode;
 with Vision.State;
 with Vision.Turns;
 
 package body Vision.Tasks with SPARK_Mode is
 
-   use type Monitor.Image_Messages.Message_Access;
+   use type Monitor.Outbox.Message_Access;
    use type Options.Drawing_Kind;
    use type Vision.Image_Grid.Microseconds;
    use type Vision.Library.Status;
-   use type Vision.Shapes.Arena_Corners;
 
    Target_Margin : constant Natural :=
      Natural (Missions.Guards.Target_Margin) / 10_000;
    --  Centimetres
 
-   procedure Log_Reason (What : String) is
-      --  What and the reason that vision_c gives
+   procedure Check (Result : Vision.Library.Status; What : String) is
+      --  Logs what has failed, if it has, and the reason that vision_c gives
       Reason : Vision.Library.Reason_Text;
       Last   : Natural;
       Line   : Texts.Text;
    begin
-      Vision.Library.Reason (Reason, Last);
-      Texts.Set (Line, What);
-      Texts.Append (Line, Reason (1 .. Last));
-      Journal.Put (Options.Warning, Line);
-   end Log_Reason;
+      if Result /= Vision.Library.Done then
+         Vision.Library.Reason (Reason, Last);
+         Texts.Set (Line, What);
+         Texts.Append (Line, Reason (1 .. Last));
+         Journal.Put (Options.Warning, Line);
+      end if;
+   end Check;
 
    procedure Encode
-     (Slot    : Vision.Library.Slot;
+     (Slot    : Vision.Slot;
       Quality : Options.Percentage;
       Jpeg    : in out Jpeg_Buffer;
-      Message : in out Monitor.Image_Messages.Message)
+      Message : in out Monitor.Outbox.Message)
    is
       --  The message that shows the image of Slot; its length is 0 where it
       --  cannot be made (the log says why)
@@ -66,31 +60,30 @@ package body Vision.Tasks with SPARK_Mode is
    begin
       Message.Length := 0;
       Vision.Library.Encode (Slot, Quality, Jpeg, Size, Result);
+      Check (Result, "image left out: ");
       if Result = Vision.Library.Done then
          Message.Data (1 .. 4) := Image_Label;
          Message.Data (5) := Separator;
          Base64.Encode (Jpeg, Size, Message.Data, 6, Last);
          Message.Length := Last + 1;
          Message.Data (Message.Length) := Line_Feed;
-      else
-         Log_Reason ("image left out: ");
       end if;
    end Encode;
 
    procedure Find_Robots
-     (Slot   : Vision.Library.Slot;
+     (Slot   : Vision.Slot;
       Marker : Options.Marker_Kind;
       Seen   : Vision.Mode.State;
       Gap    : Vision.Following.Milliseconds;
       Known  : in out Vision.Following.State;
-      Robots : out Vision.Shapes.Robot_Array;
-      Count  : out Vision.Shapes.Robot_Count)
+      Robots : out Robot_Array;
+      Count  : out Robot_Count)
    is
       --  Where they are in the image of Slot, which has come Gap after the one
       --  that was searched last
-      In_Arena : constant Boolean := Vision.Mode.Uses_Arena (Seen);
-      Areas    : Vision.Shapes.Area_Array;
-      Number   : Vision.Shapes.Robot_Count;
+      In_Arena : constant Boolean := Seen.Confirmed;
+      Areas    : Area_Array;
+      Number   : Robot_Count;
       Done     : Boolean := False;
       Ignored  : Vision.Library.Status;
    begin
@@ -110,32 +103,32 @@ package body Vision.Tasks with SPARK_Mode is
       end if;
    end Find_Robots;
 
-   procedure Draw_Arena
-     (Slot : Vision.Library.Slot; Arena : Vision.Shapes.Arena_Corners)
-   is
-      Result : Vision.Library.Status;
-   begin
-      Vision.Library.Draw_Arena (Slot, Arena, Result);
-      if Result /= Vision.Library.Done then
-         Log_Reason ("arena not drawn: ");
-      end if;
-   end Draw_Arena;
+   function Position_Of (Robots : Robot_Array; Count : Robot_Count)
+     return Position
+   is (if Count = 0 then Not_Found
+       else
+         (Id    => Integer (Robots (1).Id),
+          Angle => Micro (Robots (1).Angle),
+          Cx    => Micro (Robots (1).Centre.X),
+          Cy    => Micro (Robots (1).Centre.Y),
+          Dx    => Micro (Robots (1).Direction.X),
+          Dy    => Micro (Robots (1).Direction.Y)));
+   --  The position reported to the monitor: that of Robots (1)
 
-   procedure Draw_Robots
-     (Slot   : Vision.Library.Slot;
-      Robots : Vision.Shapes.Robot_Array;
-      Count  : Vision.Shapes.Robot_Count)
-   is
-      --  What cannot be drawn is missing in the image (the log says why)
-      Result : Vision.Library.Status;
-   begin
-      for I in 1 .. Count loop
-         Vision.Library.Draw_Robot (Slot, Robots (I), Result);
-         if Result /= Vision.Library.Done then
-            Log_Reason ("robot not drawn: ");
-         end if;
-      end loop;
-   end Draw_Robots;
+   function Are_Coordinates (Arena : Arena_Corners) return Boolean is
+     (for all P of Arena =>
+        Micro (P.X) in Coordinate and then Micro (P.Y) in Coordinate);
+
+   function Corners_Of (Arena : Arena_Corners) return Corners is
+     (1 => Micro (Arena (Top_Left).X),
+      2 => Micro (Arena (Top_Left).Y),
+      3 => Micro (Arena (Top_Right).X),
+      4 => Micro (Arena (Top_Right).Y),
+      5 => Micro (Arena (Bottom_Right).X),
+      6 => Micro (Arena (Bottom_Right).Y),
+      7 => Micro (Arena (Bottom_Left).X),
+      8 => Micro (Arena (Bottom_Left).Y))
+   with Pre => Are_Coordinates (Arena);
 
    function Gap_Between
      (First, Last : Time) return Vision.Following.Milliseconds is
@@ -147,21 +140,18 @@ package body Vision.Tasks with SPARK_Mode is
       --  The camera delivers no more: say so, and close it (once)
       Was_Open : Boolean;
    begin
-      Vision.State.Store.Close (Was_Open);
+      Vision.State.Store.Give_Up (Was_Open);
       if Was_Open then
          Monitor.Outbox.Stop_Images;
-         Vision.Camera_Requests.Requests.Close;
-         Vision.Frame_Store.End_Delivery;
+         Vision.Frames.End_Delivery;
          Journal.Put (Options.Error, Monitor.Notices.Text_Of (Why));
          Monitor.Outbox.Put (Monitor.Mailboxes.Told (Why));
       end if;
    end Camera_Failed;
 
    task body Th_Camera_Control is
-      Order    : Orders.Order;
-      Needed   : Boolean;
-      Opened   : Boolean;
-      Success  : Boolean;
+      Order   : Commands.Order;
+      Success : Boolean;
    begin
       Process.Threads.Name_Task (Schedule.Th_Camera_Control);
       loop
@@ -169,27 +159,18 @@ package body Vision.Tasks with SPARK_Mode is
          Vision.Turns.Wait_Camera_Control (Order);
          case Order.Command.Name is
             when Open_Camera =>
-               Vision.State.Store.Ask_Open (Order.Number, Needed, Success);
-               if Needed then
-                  Vision.Camera_Requests.Open (Opened);
-                  Vision.State.Store.Opened (Order.Number, Opened, Success);
-                  if Success then
-                     Vision.Camera_Requests.Begin_Images;
-                  else
-                     --  opened for nobody, perhaps
-                     Vision.Camera_Requests.Requests.Close;
-                  end if;
-               end if;
+               Vision.State.Open (Order.Number, Success);
             when Close_Camera =>
-               Vision.State.Store.Close_By_Order (Order.Number, Success);
+               Vision.State.Store.Change
+                 (Camera_Closed, Order.Number, Success);
                if Success then
                   Monitor.Outbox.Stop_Images;
-                  Vision.Camera_Requests.Requests.Close;
                end if;
             when others =>
-               Vision.State.Store.Ask_Position
-                 (Order.Number, Order.Command.Name = Start_Position,
-                  Success);
+               Vision.State.Store.Change
+                 ((if Order.Command.Name = Start_Position then Position_Start
+                   else Position_End),
+                  Order.Number, Success);
          end case;
          Monitor.Outbox.Answer (Order, Reply_To (Success));
          Vision.Turns.Finish;
@@ -211,33 +192,27 @@ package body Vision.Tasks with SPARK_Mode is
       Coming   : Boolean;
       Outbox   : Monitor.Mailboxes.Status;
       Seen     : Vision.Mode.State;
-      Slot     : Vision.Library.Slot;
+      Slot     : Vision.Slot;
       Found    : Boolean;
-      Robots   : Vision.Shapes.Robot_Array := (others => <>);
-      Count    : Vision.Shapes.Robot_Count;
+      Result   : Vision.Library.Status;
+      Robots   : Robot_Array := (others => <>);
+      Count    : Robot_Count;
       Known    : Vision.Following.State;
       Known_At : Time;
-      Arena    : Vision.Shapes.Arena_Corners;  --  in which Known were found
-      Line     : Short_Text;
-      Image    : Monitor.Image_Messages.Message_Access :=
-        new Monitor.Image_Messages.Message;
+      Arena    : Arena_Corners;  --  in which Known were found
+      Image    : Monitor.Outbox.Message_Access :=
+        new Monitor.Outbox.Message;
    begin
       Process.Threads.Name_Task (Schedule.Th_Capture_Img);
       loop
-         Vision.Camera_Requests.Wait_Images;
-         Vision.Sightings.Store.Clear;
+         Vision.State.Wait_Images;
          Grid := Vision.Image_Grid.Initial;
          Waited := False;
          Vision.Following.Forget (Known);
-         Arena := Vision.Shapes.No_Arena;
+         Arena := No_Arena;
          Next := Clock;
          Known_At := Next;
          loop
-            if Waited then
-               Trace.Start (Schedule.Th_Capture_Img);
-            else
-               Trace.Start (Schedule.Th_Capture_Img, Next);
-            end if;
             Step := Period;
             Coming := False;
             --  the generation before the mode: an image made for a mode
@@ -245,12 +220,12 @@ package body Vision.Tasks with SPARK_Mode is
             Monitor.Outbox.Get (Outbox);
             Vision.State.Store.Get (Seen);
             Now := Clock;
-            Vision.Frame_Store.Store.Get_Silent (Now, Silent);
+            Vision.Frames.Store.Get_Silent (Now, Silent);
             exit when not Vision.Mode.Is_Open (Seen);
             if Silent then
                Camera_Failed (Monitor.Notices.Camera_Silent);
             elsif Vision.Mode.Images_Flow (Seen) then
-               Vision.Frame_Store.Store.Claim_Due
+               Vision.Frames.Store.Claim_Due
                  (Now, Period, Slot, Came, Reserve, Found, Coming);
                if Found then
                   Coming := False;
@@ -273,18 +248,22 @@ package body Vision.Tasks with SPARK_Mode is
                         Gap_Between (Known_At, Came), Known, Robots, Count);
                      Known_At := Came;
                      --  before anything is drawn: a mission waits for it
-                     Vision.Sightings.Put (Came, Robots, Count);
+                     Vision.State.Put (Came, Robots, Count);
                   end if;
-                  if Vision.Mode.Uses_Arena (Seen)
+                  if Seen.Confirmed
                     and then Chosen.Drawing >= Options.Arena
                   then
-                     Draw_Arena (Slot, Seen.Arena);
+                     Vision.Library.Draw_Arena (Slot, Seen.Arena, Result);
+                     Check (Result, "arena not drawn: ");
                   end if;
                   if Seen.Position_On
                     and then Chosen.Drawing = Options.All_Of_It
                   then
                      --  over the arena's line
-                     Draw_Robots (Slot, Robots, Count);
+                     for I in 1 .. Count loop
+                        Vision.Library.Draw_Robot (Slot, Robots (I), Result);
+                        Check (Result, "robot not drawn: ");
+                     end loop;
                   end if;
                   if Image /= null then
                      Encode (Slot, Chosen.Quality, Image_Jpeg, Image.all);
@@ -292,15 +271,12 @@ package body Vision.Tasks with SPARK_Mode is
                         Monitor.Outbox.Put_Image (Image, Outbox.Made);
                      end if;
                   end if;
-                  Vision.Frame_Store.Store.Release (Slot);
+                  Vision.Frames.Store.Release (Slot);
                   if Seen.Position_On then
                      --  after its image, which is to be punctual
-                     Monitor.Positions.Format
-                       (Vision.Reports.Position_Of (Robots, Count),
-                        Line.Data, Line.Length);
                      Monitor.Outbox.Put
-                       ((Kind   => Monitor.Mailboxes.Place,
-                         Line   => Line,
+                       ((Kind   => Monitor.Mailboxes.Position,
+                         Line   => Position_Line (Position_Of (Robots, Count)),
                          Made   => Outbox.Made,
                          others => <>));
                   end if;
@@ -308,8 +284,7 @@ package body Vision.Tasks with SPARK_Mode is
             end if;
             Waited := Coming;
             if Coming then
-               Trace.Done (Schedule.Th_Capture_Img);
-               Vision.Frame_Store.Wait_Look;
+               Vision.Frames.Wait_Look;
             else
                Now := Clock;
                loop
@@ -317,26 +292,24 @@ package body Vision.Tasks with SPARK_Mode is
                   exit when Next > Now;
                   Step := Period;
                end loop;
-               Trace.Done (Schedule.Th_Capture_Img);
-               delay until Next;
+               Process.Threads.Sleep_Until (Schedule.Th_Capture_Img, Next);
             end if;
          end loop;
-         Vision.Sightings.Store.Clear;
       end loop;
    end Th_Capture_Img;
 
    task body Th_Arene is
-      Order  : Orders.Order;
+      Order  : Commands.Order;
       Chosen : Options.Values renames Settings.Command_Line.Chosen;
       Valid  : Boolean;
-      Slot   : Vision.Library.Slot;
+      Slot   : Vision.Slot;
       Found  : Boolean;
-      Arena  : Vision.Shapes.Arena_Corners;
+      Arena  : Arena_Corners;
       Result : Vision.Library.Status;
       Shown  : Boolean;
       Seen   : Vision.Mode.State;
-      Image  : Monitor.Image_Messages.Message_Access :=
-        new Monitor.Image_Messages.Message;
+      Image  : Monitor.Outbox.Message_Access :=
+        new Monitor.Outbox.Message;
    begin
       Process.Threads.Name_Task (Schedule.Th_Arene);
       loop
@@ -347,41 +320,44 @@ package body Vision.Tasks with SPARK_Mode is
             Monitor.Outbox.Answer
               (Order,
                (if Seen.Confirmed
-                  and then Vision.Reports.Are_Coordinates (Seen.Arena)
-                then Monitor.Positions.Ground
+                  and then Are_Coordinates (Seen.Arena)
+                then Ground
                   (Chosen.Arena_Size, Target_Margin,
-                   Vision.Reports.Corners_Of (Seen.Arena))
+                   Corners_Of (Seen.Arena))
                 else Reply_To (False)));
          elsif Order.Command.Name = Ask_Arena then
-            Vision.State.Store.Ask_Arena (Order.Number, Valid);
+            Vision.State.Store.Change (Arena_Order, Order.Number, Valid);
             if Valid then
                Monitor.Outbox.Stop_Images;
-               Arena := Vision.Shapes.No_Arena;
+               Arena := No_Arena;
                Shown := False;
-               Vision.Frame_Store.Wait_Newest (Slot, Found);
+               Vision.Frames.Wait_Newest (Slot, Found);
                if Found then
                   Vision.Library.Find_Arena (Slot, Arena, Result);
                   if Result = Vision.Library.Done and then Image /= null then
-                     Draw_Arena (Slot, Arena);
-                     Encode
-                       (Slot, Chosen.Quality, Arena_Jpeg, Image.all);
+                     Vision.Library.Draw_Arena (Slot, Arena, Result);
+                     Check (Result, "arena not drawn: ");
+                     Encode (Slot, Chosen.Quality, Arena_Jpeg, Image.all);
                      Shown := Image.Length > 0;
                   end if;
-                  Vision.Frame_Store.Store.Release (Slot);
+                  Vision.Frames.Store.Release (Slot);
                end if;
-               Vision.State.Store.Searched (Order.Number, Shown, Arena, Valid);
+               Vision.State.Store.Change
+                 ((if Shown then Arena_Found else Arena_Missing),
+                  Order.Number, Valid, Arena);
                if Valid and then Shown then
                   Monitor.Outbox.Answer_With_Image (Order, Image);
                else
-                  Monitor.Outbox.Answer
-                    (Order, Reply_To (False));
+                  Monitor.Outbox.Answer (Order, Reply_To (False));
                end if;
             else
                Monitor.Outbox.Answer (Order, Reply_To (False));
             end if;
          else
-            Vision.State.Store.Decide
-              (Order.Number, Order.Command.Name = Confirm_Arena, Valid);
+            Vision.State.Store.Change
+              ((if Order.Command.Name = Confirm_Arena then Confirmation
+                else Rejection),
+               Order.Number, Valid);
             Monitor.Outbox.Answer (Order, No_Line);
             if not Valid then
                Journal.Put
@@ -395,55 +371,50 @@ package body Vision.Tasks with SPARK_Mode is
 
    task body Th_Camera is
       Chosen : Options.Values renames Settings.Command_Line.Chosen;
-      Number : Vision.Camera_Requests.Request_Number;
+      Number : Commands.Ticket;
       Wanted : Boolean;
       Result : Vision.Library.Status;
-      Slot   : Vision.Library.Slot;
+      Slot   : Vision.Slot;
       Now    : Time;
    begin
       Process.Threads.Name_Task (Schedule.Th_Camera);
       loop
-         Vision.Camera_Requests.Wait_Open (Number);
+         Vision.State.Wait_Open (Number);
          Vision.Library.Open
            (Chosen.Camera.Data (1 .. Chosen.Camera.Length),
             Chosen.Width, Chosen.Height,
             Integer'Max (Options.Camera_Rate, Chosen.Frame_Rate), Result);
-         Vision.Camera_Requests.Requests.Get_Wanted (Number, Wanted);
-         if Result /= Vision.Library.Done then
-            Log_Reason ("camera cannot be opened: ");
-            Vision.Camera_Requests.Report (False);
-         elsif not Wanted then
-            Vision.Camera_Requests.Report (False);
+         Vision.State.Store.Get_Wanted (Number, Wanted);
+         Check (Result, "camera cannot be opened: ");
+         if Result /= Vision.Library.Done or else not Wanted then
+            Vision.State.Report (False);
          else
             Now := Clock;
-            Vision.Frame_Store.Store.Begin_Delivery (Now);
+            Vision.Frames.Store.Begin_Delivery (Now);
             Journal.Put (Options.Info, "camera open");
-            Vision.Camera_Requests.Report (True);
+            Vision.State.Report (True);
             loop
-               Trace.Start (Schedule.Th_Camera);
-               Vision.Frame_Store.Store.Claim_Empty (Slot);
-               Trace.Wait (Schedule.Th_Camera, Trace.Camera);
+               Vision.Frames.Store.Claim_Empty (Slot);
                Vision.Library.Grab (Slot, Result);
-               Trace.Resume (Schedule.Th_Camera);
                if Result = Vision.Library.Done then
                   Now := Clock;
-                  Vision.Frame_Store.Publish (Slot, Now);
+                  Vision.Frames.Publish (Slot, Now);
                else
-                  Vision.Frame_Store.Store.Release (Slot);
+                  Vision.Frames.Store.Release (Slot);
                end if;
-               Vision.Camera_Requests.Requests.Get_Wanted (Number, Wanted);
+               Vision.State.Store.Get_Wanted (Number, Wanted);
                exit when not Wanted;
                if Result /= Vision.Library.Done then
-                  Log_Reason ("no image from the camera: ");
+                  Check (Result, "no image from the camera: ");
                   Camera_Failed (Monitor.Notices.Camera_Ended);
                   exit;
                end if;
             end loop;
-            Vision.Frame_Store.End_Delivery;
+            Vision.Frames.End_Delivery;
             Journal.Put (Options.Info, "camera closed");
          end if;
          Vision.Library.Close;
-         Vision.Camera_Requests.Requests.Released;
+         Vision.State.Store.Released;
       end loop;
    end Th_Camera;
 

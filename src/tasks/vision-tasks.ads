@@ -2,7 +2,7 @@
 --  The three vision tasks of the design report, and the camera's owner.
 
 with Bytes;
-with Monitor.Image_Messages;
+with Monitor.Outbox;
 with Schedule;
 
 package Vision.Tasks with SPARK_Mode is
@@ -25,7 +25,7 @@ package Vision.Tasks with SPARK_Mode is
 private
 
    subtype Jpeg_Buffer is Bytes.Byte_Array
-     (1 .. Monitor.Image_Messages.Max_Jpeg);
+     (1 .. Monitor.Outbox.Max_Jpeg);
 
    Image_Jpeg : Jpeg_Buffer := (others => 0)
      with Part_Of => Th_Capture_Img;

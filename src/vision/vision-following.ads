@@ -4,7 +4,6 @@
 
 with Ada.Real_Time;
 with Options;
-with Vision.Shapes; use Vision.Shapes;
 
 package Vision.Following with SPARK_Mode is
 
@@ -139,7 +138,7 @@ package Vision.Following with SPARK_Mode is
       --  when the image came from the camera
       Seen   : Boolean := False;
       --  exactly one robot is in it: Robot
-      Robot  : Vision.Shapes.Robot;
+      Robot  : Vision.Robot;
    end record;
 
    function Next

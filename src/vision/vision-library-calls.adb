@@ -1,19 +1,20 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
 
-with System; use System;
+with Interfaces.C.Strings; use Interfaces.C.Strings;
+with System;               use System;
 
 package body Vision.Library.Calls with
   SPARK_Mode    => Off,
   Refined_State => (Source => null, Slots => null, Notes => null)
 is
 
-   function C_Open (Source : C_Name; Width, Height, Fps : int) return int
+   function C_Open (Source : char_array; Width, Height, Fps : int) return int
    with Import, Convention => C, External_Name => "vision_open";
 
    function C_Grab (Slot : int) return int
    with Import, Convention => C, External_Name => "vision_grab";
 
-   function C_Format return Address
+   function C_Format return chars_ptr
    with Import, Convention => C, External_Name => "vision_format";
 
    procedure C_Close
@@ -56,15 +57,18 @@ is
    function C_Print_Markers (Descriptor, First, Size : int) return int
    with Import, Convention => C, External_Name => "vision_print_markers";
 
-   function C_Reason return Address
+   function C_Reason return chars_ptr
    with Import, Convention => C, External_Name => "vision_reason";
 
-   function C_Library return Address
-   with Import, Convention => C, External_Name => "vision_library";
-
-   procedure Copy (To : out C_Text; From : Address; Length : size_t)
-   with Import, Convention => C, External_Name => "strncpy";
-   --  Of the C library: fills with nul
+   procedure Copy
+     (From : chars_ptr; Text : out Reason_Text; Last : out Natural)
+   is
+      What : constant String := Value (From, Text'Length);
+   begin
+      Text := (others => ' ');
+      Text (1 .. What'Length) := What;
+      Last := What'Length;
+   end Copy;
 
    --  A NaN or an infinity converts to no integer, and SPARK knows of none:
    --  out of range instead
@@ -77,7 +81,8 @@ is
      (R.Id, Numbers (R.Centre), Numbers (R.Direction),
       (if R.Angle'Valid then R.Angle else double'Last));
 
-   procedure Open (Name : C_Name; Width, Height, Fps : int; Code : out int) is
+   procedure Open
+     (Name : char_array; Width, Height, Fps : int; Code : out int) is
    begin
       Code := C_Open (Name, Width, Height, Fps);
    end Open;
@@ -87,9 +92,9 @@ is
       Code := C_Grab (Into);
    end Grab;
 
-   procedure Get_Format (Text : out C_Text) is
+   procedure Get_Format (Text : out Reason_Text; Last : out Natural) is
    begin
-      Copy (Text, C_Format, Text'Length);
+      Copy (C_Format, Text, Last);
    end Get_Format;
 
    procedure Close renames C_Close;
@@ -150,14 +155,9 @@ is
       Code := C_Print_Markers (1, First, Size);
    end Print_Markers;
 
-   procedure Get_Reason (Text : out C_Text) is
+   procedure Get_Reason (Text : out Reason_Text; Last : out Natural) is
    begin
-      Copy (Text, C_Reason, Text'Length);
+      Copy (C_Reason, Text, Last);
    end Get_Reason;
-
-   procedure Get_Version (Text : out C_Text) is
-   begin
-      Copy (Text, C_Library, Text'Length);
-   end Get_Version;
 
 end Vision.Library.Calls;

@@ -20,20 +20,17 @@ is
 
    --  Code is the vision_status, or whatever else was returned
 
-   subtype C_Name is char_array (0 .. Max_Source);
-
-   subtype C_Text is char_array (1 .. Reason_Text'Length);
-   --  Up to its first nul, if it has one
-
-   procedure Open (Name : C_Name; Width, Height, Fps : int; Code : out int)
+   procedure Open
+     (Name : char_array; Width, Height, Fps : int; Code : out int)
    with
      Global => (In_Out => (Source, Notes)),
-     Pre    => Name (Name'Last) = nul;
+     Pre    => Name'Length > 0 and then Name (Name'Last) = nul;
 
    procedure Grab (Into : int; Code : out int)
    with Global => (In_Out => (Source, Slots, Notes));
 
-   procedure Get_Format (Text : out C_Text) with Global => (Input => Source);
+   procedure Get_Format (Text : out Reason_Text; Last : out Natural)
+   with Global => (Input => Source), Post => Last <= Text'Last;
 
    procedure Close
    with Convention => C, Global => (In_Out => (Source, Notes));
@@ -72,9 +69,7 @@ is
    with Global => (In_Out => Notes);
    --  On standard output
 
-   procedure Get_Reason (Text : out C_Text) with Global => (Input => Notes);
-
-   procedure Get_Version (Text : out C_Text)
-   with Global => (In_Out => Source);
+   procedure Get_Reason (Text : out Reason_Text; Last : out Natural)
+   with Global => (Input => Notes), Post => Last <= Text'Last;
 
 end Vision.Library.Calls;

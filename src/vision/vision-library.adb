@@ -1,6 +1,7 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
 
 with Interfaces.C;    use Interfaces.C;
+with Schedule;
 with Vision.C_Shapes; use Vision.C_Shapes;
 with Vision.Library.Calls;
 
@@ -11,44 +12,10 @@ package body Vision.Library with
                     Memory => Calls.Notes)
 is
 
-   type Status_Set is array (Status) of Boolean;
-
-   Opening : constant Status_Set :=
-     (Done | No_Camera | Bad_Argument | Failed => True, others => False);
-
-   Grabbing : constant Status_Set :=
-     (Done | No_Camera | No_Image | Failed => True, others => False);
-
-   Search : constant Status_Set :=
-     (Done | Not_Found | Bad_Argument | Failed => True, others => False);
-
-   Drawing : constant Status_Set :=
-     (Done | Bad_Argument | Failed => True, others => False);
-
-   Encoding : constant Status_Set :=
-     (Done | Too_Small | Bad_Argument | Failed => True, others => False);
-
-   function To_Status (Code : int; Possible : Status_Set) return Status is
-     (if Code in 0 .. Status'Pos (Status'Last)
-        and then Possible (Status'Val (Code))
-      then Status'Val (Code) else Failed);
+   function To_Status (Code : int) return Status is
+     (if Code in 0 .. Status'Pos (Status'Last) then Status'Val (Code)
+      else Failed);
    --  The literals of Status are in the order of vision_status
-
-   procedure Copy
-     (From : Calls.C_Text; Text : out Reason_Text; Last : out Natural)
-   with Post => Last <= Text'Last
-   is
-      --  Up to the first nul
-   begin
-      Text := (others => ' ');
-      Last := 0;
-      for K in Text'Range loop
-         exit when From (size_t (K)) = nul;
-         Text (K) := To_Ada (From (size_t (K)));
-         Last := K;
-         pragma Loop_Invariant (Last = K);
-      end loop;
-   end Copy;
 
    procedure Open
      (Source        : String;
@@ -56,29 +23,24 @@ is
       Fps           : Positive;
       Result        : out Status)
    is
-      Name : Calls.C_Name := (others => nul);
       Code : int;
    begin
-      for K in 1 .. Source'Length loop
-         Name (size_t (K - 1)) := To_C (Source (Source'First + (K - 1)));
-         pragma Loop_Invariant (Name (Name'Last) = nul);
-      end loop;
-      Calls.Open (Name, int (Width), int (Height), int (Fps), Code);
-      Result := To_Status (Code, Opening);
+      Calls.Open (To_C (Source), int (Width), int (Height), int (Fps), Code);
+      Result := To_Status (Code);
    end Open;
 
    procedure Grab (Into : Slot; Result : out Status) is
       Code : int;
    begin
+      Trace.Put (Trace.Wait, Schedule.Th_Camera, Label => Trace.Camera);
       Calls.Grab (int (Into), Code);
-      Result := To_Status (Code, Grabbing);
+      Trace.Put (Trace.Resume, Schedule.Th_Camera);
+      Result := To_Status (Code);
    end Grab;
 
    procedure Get_Format (Text : out Reason_Text; Last : out Natural) is
-      Format : Calls.C_Text;
    begin
-      Calls.Get_Format (Format);
-      Copy (Format, Text, Last);
+      Calls.Get_Format (Text, Last);
    end Get_Format;
 
    procedure Close is
@@ -87,20 +49,18 @@ is
    end Close;
 
    procedure Find_Arena
-     (In_Slot : Slot;
-      Arena   : out Arena_Corners;
-      Result  : out Status)
+     (In_Slot : Slot; Arena : out Arena_Corners; Result : out Status)
    is
-      Found  : C_Arena := (others => <>);
-      Code   : int;
-      Usable : Boolean;
+      Found : C_Arena := (others => <>);
+      Code  : int;
    begin
       Arena := No_Arena;
       Calls.Find_Arena (int (In_Slot), Found, Code);
-      Result := To_Status (Code, Search);
+      Result := To_Status (Code);
       if Result = Done then
-         Take_Arena (Found, Arena, Usable);
-         if not Usable then
+         if Is_Sound (Found) then
+            Arena := To_Ada (Found);
+         else
             Result := Not_Found;
          end if;
       end if;
@@ -130,7 +90,7 @@ is
          To_C (Arena), Use_Arena, Near, int (Number), Found, Total, Code);
       Robots := (others => <>);
       Count := 0;
-      Result := To_Status (Code, Search);
+      Result := To_Status (Code);
       if Result = Done then
          if Total in 0 .. int (Robot_Count'Last) then
             Take_Robots (Found, Robot_Count (Total), Robots, Count);
@@ -144,25 +104,21 @@ is
    end Find_Robots;
 
    procedure Draw_Arena
-     (In_Slot : Slot;
-      Arena   : Arena_Corners;
-      Result  : out Status)
+     (In_Slot : Slot; Arena : Arena_Corners; Result : out Status)
    is
       Code : int;
    begin
       Calls.Draw_Arena (int (In_Slot), To_C (Arena), Code);
-      Result := To_Status (Code, Drawing);
+      Result := To_Status (Code);
    end Draw_Arena;
 
    procedure Draw_Robot
-     (In_Slot : Slot;
-      Item    : Robot;
-      Result  : out Status)
+     (In_Slot : Slot; Item : Robot; Result : out Status)
    is
       Code : int;
    begin
       Calls.Draw_Robot (int (In_Slot), To_C (Item), Code);
-      Result := To_Status (Code, Drawing);
+      Result := To_Status (Code);
    end Draw_Robot;
 
    procedure Encode
@@ -177,7 +133,7 @@ is
    begin
       Calls.Encode (int (From), int (Quality), Buffer, Written, Code);
       Length := 0;
-      Result := To_Status (Code, Encoding);
+      Result := To_Status (Code);
       if Result = Done then
          if Written in 1 .. Buffer'Length then
             Length := Natural (Written);
@@ -195,21 +151,12 @@ is
       Code : int;
    begin
       Calls.Print_Markers (int (First), int (Size), Code);
-      Result := To_Status (Code, Drawing);
+      Result := To_Status (Code);
    end Print_Markers;
 
    procedure Reason (Text : out Reason_Text; Last : out Natural) is
-      Why : Calls.C_Text;
    begin
-      Calls.Get_Reason (Why);
-      Copy (Why, Text, Last);
+      Calls.Get_Reason (Text, Last);
    end Reason;
-
-   procedure Library_Version (Text : out Reason_Text; Last : out Natural) is
-      Version : Calls.C_Text;
-   begin
-      Calls.Get_Version (Version);
-      Copy (Version, Text, Last);
-   end Library_Version;
 
 end Vision.Library;

@@ -4,8 +4,7 @@
 
 with Bytes;
 with Options;
-with Vision.Frame_Slots;
-with Vision.Shapes; use Vision.Shapes;
+with Trace;
 
 package Vision.Library with
   SPARK_Mode,
@@ -20,13 +19,10 @@ is
    --  as does each slot of Frames; two tasks may process two slots in
    --  parallel. Memory is what is known of each calling task: the image that
    --  it searched last, and why its last operation failed. Searching and
-   --  encoding decode a stored JPEG. The first operation, Library_Version too,
-   --  loads the libraries. Starts no task, locks nothing, raises no exception.
-   --  OpenCV was measured to use up to 52 kB of the calling task's stack.
-
-   subtype Slot is Vision.Frame_Slots.Slot;
-   --  A place for one image. Operations on a slot that never held an image
-   --  return Bad_Argument.
+   --  encoding decode a stored JPEG. Operations on a slot that never held an
+   --  image return Bad_Argument. The first operation loads the libraries.
+   --  Starts no task, locks nothing, raises no exception. OpenCV was measured
+   --  to use up to 52 kB of the calling task's stack.
 
    type Status is
      (Done,
@@ -55,8 +51,7 @@ is
       Result        : out Status)
    with
      Global => (In_Out => (Camera, Memory)),
-     Pre    => Source'Length <= Max_Source,
-     Post   => Result in Done | No_Camera | Bad_Argument | Failed;
+     Pre    => Source'Length <= Max_Source;
    --  Opens a camera number, device path, file, URL or GStreamer pipeline, and
    --  closes the former source first. Images are scaled to fit Width x Height.
    --  Waits for the source, for a URL at most 5 s (7 s with damaged images).
@@ -64,9 +59,7 @@ is
    --  operation that needs pixels.
 
    procedure Grab (Into : Slot; Result : out Status)
-   with
-     Global => (In_Out => (Camera, Frames, Memory)),
-     Post   => Result in Done | No_Camera | No_Image | Failed;
+   with Global => (In_Out => (Camera, Frames, Memory, Trace.Recorder));
    --  Waits for the next image, at most 2 s (4 s with damaged images) if the
    --  source can be interrupted. The slot is unchanged unless Done. Images of
    --  a live source must be grabbed as fast as they arrive; otherwise they age
@@ -84,13 +77,10 @@ is
    --  No effect if nothing is open
 
    procedure Find_Arena
-     (In_Slot : Slot;
-      Arena   : out Arena_Corners;
-      Result  : out Status)
+     (In_Slot : Slot; Arena : out Arena_Corners; Result : out Status)
    with
      Global => (In_Out => (Frames, Memory)),
-     Post   => Result in Done | Not_Found | Bad_Argument | Failed
-       and then (if Result /= Done then Arena = No_Arena);
+     Post   => (if Result /= Done then Arena = No_Arena);
 
    procedure Find_Robots
      (In_Slot   : Slot;
@@ -104,8 +94,7 @@ is
       Number    : Robot_Count := 0)
    with
      Global => (In_Out => (Frames, Memory)),
-     Post   => Result in Done | Not_Found | Bad_Argument | Failed
-       and then (Result = Done) = (Count > 0);
+     Post   => (Result = Done) = (Count > 0);
    --  The robots in the image, lowest identifier first; only inside Arena if
    --  Use_Arena. With a Number, only those in Areas (1 .. Number), and none if
    --  anything else in the image, or Arena, has changed since the calling
@@ -113,20 +102,12 @@ is
    --  robots.
 
    procedure Draw_Arena
-     (In_Slot : Slot;
-      Arena   : Arena_Corners;
-      Result  : out Status)
-   with
-     Global => (In_Out => (Frames, Memory)),
-     Post   => Result in Done | Bad_Argument | Failed;
+     (In_Slot : Slot; Arena : Arena_Corners; Result : out Status)
+   with Global => (In_Out => (Frames, Memory));
 
    procedure Draw_Robot
-     (In_Slot : Slot;
-      Item    : Robot;
-      Result  : out Status)
-   with
-     Global => (In_Out => (Frames, Memory)),
-     Post   => Result in Done | Bad_Argument | Failed;
+     (In_Slot : Slot; Item : Robot; Result : out Status)
+   with Global => (In_Out => (Frames, Memory));
 
    procedure Encode
      (From    : Slot;
@@ -136,8 +117,7 @@ is
       Result  : out Status)
    with
      Global => (In_Out => (Frames, Memory)),
-     Post   => Result in Done | Too_Small | Bad_Argument | Failed
-       and then Length <= Buffer'Length
+     Post   => Length <= Buffer'Length
        and then (Result = Done) = (Length > 0);
    --  The image as JPEG, in the first Length bytes of Buffer; unless Done the
    --  contents are undefined. The camera's own JPEG, of its own quality, if
@@ -148,9 +128,7 @@ is
      (First  : Options.Marker_Number;
       Size   : Options.Marker_Millimetres;
       Result : out Status)
-   with
-     Global => (In_Out => Memory),
-     Post   => Result in Done | Bad_Argument | Failed;
+   with Global => (In_Out => Memory);
    --  A page of markers as SVG on standard output: First and those after it,
    --  as many as fit, each with a black frame of Size
 
@@ -160,11 +138,5 @@ is
      Post   => Last <= Text'Last;
    --  Why the calling task's last operation failed, for the log: Text (1 ..
    --  Last), padded with blanks
-
-   procedure Library_Version (Text : out Reason_Text; Last : out Natural)
-   with
-     Global => (In_Out => Camera),
-     Post   => Last <= Text'Last;
-   --  The version of OpenCV, such as "4.6.0"
 
 end Vision.Library;

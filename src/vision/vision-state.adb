@@ -1,69 +1,177 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
 
+with Event;
+with Trace;
+
 package body Vision.State with SPARK_Mode is
+
+   use Vision.Mode;
+
+   package Asked is new Event (Schedule.Th_Camera);
+   package Answered is new Event (Schedule.Th_Camera_Control);
+   package Images_Begin is new Event (Schedule.Th_Capture_Img);
+   package Searched is new Event (Schedule.Th_Mission);
+
+   procedure Apply
+     (What    : Vision.Mode.Change;
+      Number  : Ticket;
+      Current : in out Vision.Mode.State;
+      Done    : out Boolean;
+      Arena   : Arena_Corners := No_Arena) is
+   begin
+      Done := Counts (Current, Number) and then Is_Possible (Current, What);
+      if Done then
+         Current := After (Current, What, Arena);
+      end if;
+   end Apply;
 
    protected body Store is
 
-      procedure Begin_Session (First : Orders.Ticket) is
+      procedure Begin_Session (First : Ticket) is
       begin
-         Vision.Mode.Begin_Session (State, First);
+         Current := (First => First, others => <>);
       end Begin_Session;
 
-      procedure Get (Current : out Vision.Mode.State) is
+      procedure Get (Now : out Vision.Mode.State) is
       begin
-         Current := State;
+         Now := Current;
       end Get;
 
-      procedure Ask_Open
-        (Number  : Orders.Ticket;
-         Needed  : out Boolean;
-         Is_Open : out Boolean) is
+      procedure Change
+        (What   : Vision.Mode.Change;
+         Number : Ticket;
+         Done   : out Boolean;
+         Arena  : Arena_Corners := No_Arena) is
       begin
-         Vision.Mode.Ask_Open (State, Number, Needed, Is_Open);
+         Apply (What, Number, Current, Done, Arena);
+      end Change;
+
+      procedure Give_Up (Was_Open : out Boolean) is
+      begin
+         Was_Open := Is_Open (Current);
+         Current := After (Current, Camera_Closed);
+      end Give_Up;
+
+      procedure Ask_Open
+        (Number : Ticket; Needed : out Boolean; Is_Open : out Boolean) is
+      begin
+         Is_Open := Counts (Current, Number)
+           and then Vision.Mode.Is_Open (Current);
+         Apply (Open_Order, Number, Current, Needed);
+         if Needed then
+            Opener := Number;
+            Pending := True;
+         end if;
       end Ask_Open;
 
-      procedure Opened
-        (Number : Orders.Ticket; Success : Boolean; Is_Open : out Boolean) is
+      procedure Take (Number : out Ticket; Found : out Boolean) is
       begin
-         Vision.Mode.Opened (State, Number, Success, Is_Open);
+         Found := Pending;
+         Number := Opener;
+         Pending := False;
+         Held := Held or else Found;
+      end Take;
+
+      procedure Get_Wanted (Number : Ticket; Wanted : out Boolean) is
+      begin
+         Wanted := Current.Stage /= Closed and then Number = Opener;
+      end Get_Wanted;
+
+      procedure Report (Success : Boolean) is
+      begin
+         Outcome := Success;
+      end Report;
+
+      procedure Opened (Number : Ticket; Is_Open : out Boolean) is
+         Done : Boolean;
+      begin
+         Apply
+           ((if Outcome then Camera_Opened else Camera_Missing),
+            Number, Current, Done);
+         Is_Open := Done and then Outcome;
+         Known := (others => <>);
       end Opened;
 
-      procedure Close (Was_Open : out Boolean) is
+      procedure Released is
       begin
-         Vision.Mode.Close (State, Was_Open);
-      end Close;
+         Held := False;
+      end Released;
 
-      procedure Close_By_Order (Number : Orders.Ticket; Done : out Boolean) is
+      procedure Get_Idle (Idle : out Boolean) is
       begin
-         Vision.Mode.Close_By_Order (State, Number, Done);
-      end Close_By_Order;
+         Idle := not Held and then not Pending;
+      end Get_Idle;
 
-      procedure Ask_Arena (Number : Orders.Ticket; Accepted : out Boolean) is
+      procedure Put
+        (Came    : Time;
+         Robots  : Robot_Array;
+         Count   : Robot_Count;
+         Awaited : out Boolean) is
       begin
-         Vision.Mode.Ask_Arena (State, Number, Accepted);
-      end Ask_Arena;
+         Known := Vision.Following.Next (Known, Came, Robots, Count);
+         Awaited := Watched;
+      end Put;
 
-      procedure Searched
-        (Number : Orders.Ticket;
-         Found  : Boolean;
-         Arena  : Vision.Shapes.Arena_Corners;
-         Valid  : out Boolean) is
+      procedure Get_Sighting (Newest : out Vision.Following.Sighting) is
       begin
-         Vision.Mode.Searched (State, Number, Found, Arena, Valid);
-      end Searched;
+         Newest := Known;
+      end Get_Sighting;
 
-      procedure Decide
-        (Number : Orders.Ticket; Confirm : Boolean; Valid : out Boolean) is
+      procedure Watch (On : Boolean) is
       begin
-         Vision.Mode.Decide (State, Number, Confirm, Valid);
-      end Decide;
-
-      procedure Ask_Position
-        (Number : Orders.Ticket; On : Boolean; Accepted : out Boolean) is
-      begin
-         Vision.Mode.Ask_Position (State, Number, On, Accepted);
-      end Ask_Position;
+         Watched := On;
+      end Watch;
 
    end Store;
+
+   procedure Open (Number : Ticket; Is_Open : out Boolean) is
+      Needed : Boolean;
+   begin
+      Store.Ask_Open (Number, Needed, Is_Open);
+      if Needed then
+         Asked.Set;
+         Answered.Wait_In_Job (Trace.Camera);
+         Store.Opened (Number, Is_Open);
+         if Is_Open then
+            Images_Begin.Set;
+         end if;
+      end if;
+   end Open;
+
+   procedure Wait_Open (Number : out Ticket) is
+      Found : Boolean;
+   begin
+      loop
+         Store.Take (Number, Found);
+         exit when Found;
+         Asked.Wait;
+      end loop;
+   end Wait_Open;
+
+   procedure Report (Success : Boolean) is
+   begin
+      Store.Report (Success);
+      Answered.Set;
+   end Report;
+
+   procedure Wait_Images is
+   begin
+      Images_Begin.Wait;
+   end Wait_Images;
+
+   procedure Put (Came : Time; Robots : Robot_Array; Count : Robot_Count) is
+      Awaited : Boolean;
+   begin
+      Store.Put (Came, Robots, Count, Awaited);
+      if Awaited then
+         Searched.Set;
+      end if;
+   end Put;
+
+   procedure Wait_Sighting (Limit : Time) is
+      Ignored : Boolean;
+   begin
+      Searched.Wait_Until (Limit, Ignored);
+   end Wait_Sighting;
 
 end Vision.State;

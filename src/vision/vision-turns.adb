@@ -7,21 +7,22 @@ with Trace;
 
 package body Vision.Turns with SPARK_Mode is
 
-   use type Orders.Ticket;
+   use type Commands.Ticket;
 
-   package Control_Turn is new Event;
-   package Arena_Turn is new Event;
+   package Control_Turn is new Event (Th_Camera_Control);
+   package Arena_Turn is new Event (Th_Arene);
 
-   function User_Of (Order : Orders.Order) return Task_Name is
+   function User_Of (Order : Commands.Order) return Task_Name is
      (Commands.Table (Order.Command.Name).By);
 
-   package Order_Queues is new Bounded_Queues (Orders.Order, Orders.Capacity);
+   package Order_Queues is new Bounded_Queues
+     (Commands.Order, Commands.Capacity);
 
    protected Line with Priority => Schedule.Turn_Ceiling is
-      procedure Put (Order : Orders.Order; Next : out Orders.Order);
+      procedure Put (Order : Commands.Order; Next : out Commands.Order);
       procedure Take
-        (Who : Task_Name; Order : in out Orders.Order; Found : out Boolean);
-      procedure Finish (Next : out Orders.Order);
+        (Who : Task_Name; Order : in out Commands.Order; Found : out Boolean);
+      procedure Finish (Next : out Commands.Order);
       procedure Clear;
    private
       Waiting : Order_Queues.Queue;
@@ -29,35 +30,37 @@ package body Vision.Turns with SPARK_Mode is
       --  an order is being carried out
    end Line;
 
+   function Next_Of
+     (Waiting : Order_Queues.Queue; In_Use : Boolean) return Commands.Order
+   is (if In_Use or else Order_Queues.Length (Waiting) = 0 then (others => <>)
+       else Order_Queues.Element_At (Waiting, 1));
+   --  Whose turn it is; its number is 0 if it is none's turn
+
    protected body Line is
 
-      procedure Put (Order : Orders.Order; Next : out Orders.Order) is
+      procedure Put (Order : Commands.Order; Next : out Commands.Order) is
       begin
          Order_Queues.Put (Waiting, Order);
-         Next :=
-           (if In_Use or else Order_Queues.Length (Waiting) = 0
-            then (others => <>) else Order_Queues.Element_At (Waiting, 1));
+         Next := Next_Of (Waiting, In_Use);
       end Put;
 
       procedure Take
-        (Who : Task_Name; Order : in out Orders.Order; Found : out Boolean) is
+        (Who : Task_Name; Order : in out Commands.Order; Found : out Boolean)
+      is
+         Next : constant Commands.Order := Next_Of (Waiting, In_Use);
       begin
-         Found := not In_Use
-           and then Order_Queues.Length (Waiting) > 0
-           and then User_Of (Order_Queues.Element_At (Waiting, 1)) = Who;
+         Found := Next.Number > 0 and then User_Of (Next) = Who;
          if Found then
-            Order := Order_Queues.Element_At (Waiting, 1);
+            Order := Next;
             Order_Queues.Remove_First (Waiting);
             In_Use := True;
          end if;
       end Take;
 
-      procedure Finish (Next : out Orders.Order) is
+      procedure Finish (Next : out Commands.Order) is
       begin
          In_Use := False;
-         Next :=
-           (if Order_Queues.Length (Waiting) = 0 then (others => <>)
-            else Order_Queues.Element_At (Waiting, 1));
+         Next := Next_Of (Waiting, In_Use);
       end Finish;
 
       procedure Clear is
@@ -67,23 +70,21 @@ package body Vision.Turns with SPARK_Mode is
 
    end Line;
 
-   procedure Wake (Next : Orders.Order)
+   procedure Wake (Next : Commands.Order)
    with Annotate => (GNATprove, Terminating)
    is
-      --  The task of Next; its number is 0 if it is none's turn
    begin
       if Next.Number > 0 then
-         Trace.Release (User_Of (Next), Next.Number);
          if User_Of (Next) = Th_Arene then
-            Arena_Turn.Set;
+            Arena_Turn.Set (Next.Number);
          else
-            Control_Turn.Set;
+            Control_Turn.Set (Next.Number);
          end if;
       end if;
    end Wake;
 
    procedure Take
-     (Who : Task_Name; Order : in out Orders.Order; Found : out Boolean)
+     (Who : Task_Name; Order : in out Commands.Order; Found : out Boolean)
    with
      Pre  => not Order.Owed,
      Post => Order.Owed = Found
@@ -92,24 +93,21 @@ package body Vision.Turns with SPARK_Mode is
       Line.Take (Who, Order, Found);
       Order.Owed := Found;
       if Found then
-         Trace.Start (Who, Order.Number);
-      else
-         Trace.Idle (Who);
+         Trace.Put (Trace.Take, Who, Order.Number);
       end if;
    end Take;
 
-   procedure Put (Order : in out Orders.Order) is
-      Next : Orders.Order;
+   procedure Put (Order : in out Commands.Order) is
+      Next : Commands.Order;
    begin
       Order.Owed := False;
       Line.Put (Order, Next);
       Wake (Next);
    end Put;
 
-   procedure Wait_Camera_Control (Order : in out Orders.Order) is
+   procedure Wait_Camera_Control (Order : in out Commands.Order) is
       Found : Boolean;
    begin
-      Trace.Done (Th_Camera_Control);
       loop
          pragma Loop_Invariant (not Order.Owed);
          Control_Turn.Wait;
@@ -118,10 +116,9 @@ package body Vision.Turns with SPARK_Mode is
       end loop;
    end Wait_Camera_Control;
 
-   procedure Wait_Arena (Order : in out Orders.Order) is
+   procedure Wait_Arena (Order : in out Commands.Order) is
       Found : Boolean;
    begin
-      Trace.Done (Th_Arene);
       loop
          pragma Loop_Invariant (not Order.Owed);
          Arena_Turn.Wait;
@@ -131,7 +128,7 @@ package body Vision.Turns with SPARK_Mode is
    end Wait_Arena;
 
    procedure Finish is
-      Next : Orders.Order;
+      Next : Commands.Order;
    begin
       Line.Finish (Next);
       Wake (Next);

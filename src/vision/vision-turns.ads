@@ -3,11 +3,10 @@
 --  commands by two tasks.
 
 with Commands;
-with Orders;
 
 package Vision.Turns with SPARK_Mode is
 
-   procedure Put (Order : in out Orders.Order)
+   procedure Put (Order : in out Commands.Order)
    with
      Pre  => Order.Owed and then Order.Command.Name in Commands.Vision_Command,
      Post => not Order.Owed,
@@ -15,13 +14,13 @@ package Vision.Turns with SPARK_Mode is
    --  For the task of Commands.Table. There is always room: no more orders are
    --  in progress than wait here
 
-   procedure Wait_Camera_Control (Order : in out Orders.Order)
+   procedure Wait_Camera_Control (Order : in out Commands.Order)
    with
      Pre  => not Order.Owed,
      Post => Order.Owed;
    --  The next order for th_cameraControl; waits for its turn
 
-   procedure Wait_Arena (Order : in out Orders.Order)
+   procedure Wait_Arena (Order : in out Commands.Order)
    with
      Pre  => not Order.Owed,
      Post => Order.Owed;

@@ -12,7 +12,7 @@ with Both_Ends;         use Both_Ends;
 with Bytes;
 with Emulators;
 with Instants;          use Instants;
-with Monitor.Image_Messages;
+with Monitor.Outbox;
 with Own_Process;
 with Paced_Cameras;
 with Plain_Numbers;     use Plain_Numbers;
@@ -27,9 +27,9 @@ package body Scale_Limits is
    Fastest : constant := 100;
    --  images a second that --fps takes
 
-   Jpeg : constant Bytes.Byte_Array (1 .. Monitor.Image_Messages.Max_Jpeg) :=
+   Jpeg : constant Bytes.Byte_Array (1 .. Monitor.Outbox.Max_Jpeg) :=
      (others => 17);
-   Text : Monitor.Image_Messages.Message_Buffer := (others => ' ');
+   Text : Monitor.Outbox.Message_Buffer := (others => ' ');
    --  too large for a stack
 
    function Recording return String is

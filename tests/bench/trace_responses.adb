@@ -57,8 +57,10 @@ package body Trace_Responses is
       --  the job has had such a wait
       Stopped  : Nanoseconds := Never;
       --  the beginning of the wait under way
-      Sending  : Activity_Name := Send_Answer;
-      --  what th_sendToMon has sent in this job
+      Taken    : Boolean := False;
+      --  the job is for a command
+      Sending  : Activity_Name := Environment;
+      --  what th_sendToMon has sent last
       Looking  : Activity_Name := Mission_Begin;
       --  what th_mission has begun this job with
    end record;
@@ -158,6 +160,11 @@ package body Trace_Responses is
          --  up to the gap, where there is one, nothing can be sent
          return (if Last then S.Sending else Environment);
       end if;
+      if (S.Name = "th_cameraControl" or else S.Name = "th_arene")
+        and then not S.Taken
+      then
+         return Environment;  --  another had its turn
+      end if;
       if (S.Name = "th_camera" and then not S.Waited)
         or else ((S.Name = "th_stop" or else S.Name = "th_comMonPerdue")
                  and then S.Waited)
@@ -211,12 +218,14 @@ package body Trace_Responses is
    end Add;
 
    procedure Begin_Job (S : in out Thread_State; Item : Event) is
+      --  Of th_sendToMon also: it may send the next message
       Place : Natural := 0;
    begin
       S.Timed := S.Due /= Never;
       S.Waited := False;
       S.Answered := False;
-      S.Sending := Send_Answer;
+      S.Taken := Item.Command > 0;
+      S.Sending := Environment;
       S.Looking :=
         (if Item.Command > 0 then Mission_Begin
          elsif S.Timed then Mission_Due
@@ -224,10 +233,17 @@ package body Trace_Responses is
       if S.Due /= Never then
          S.Begun := S.Due;
          S.Due := Never;
+      elsif S.Name = "th_server"
+        or else S.Name = "th_receiveFromMon"
+        or else S.Name = "th_comMonPerdue"
+      then
+         --  by the kernel, just then; a signal begins the session
+         S.Begun := (if S.Waiting.Is_Empty then Item.Time else Never);
       else
          Place := (if S.Waiting.Is_Empty then 0 else 1);
          for I in reverse 1 .. S.Waiting.Last_Index loop
-            if Item.Command > 0 and then S.Waiting (I).Command = Item.Command
+            if S.Waiting (I).Command = Item.Command
+              and then (Item.Command > 0 or else S.Name = "th_mission")
             then
                Place := I;
             end if;
@@ -239,13 +255,15 @@ package body Trace_Responses is
                S.Begun := Nanoseconds'Max (S.Begun, S.Ready);
             end if;
          else
-            S.Begun := S.Ready;
+            S.Begun := Item.Time;
          end if;
       end if;
       --  a job that is for no command answers to all signals so far, and
       --  one for a command to its own and to those for none
       for I in reverse 1 .. S.Waiting.Last_Index loop
-         if Item.Command = 0 or else S.Waiting (I).Command = 0 then
+         if Item.Command = 0
+           or else S.Waiting (I).Command in 0 | Item.Command
+         then
             S.Waiting.Delete (I);
          end if;
       end loop;
@@ -270,7 +288,7 @@ package body Trace_Responses is
             when others        => ""));
 
    procedure Take_Image (S : in out Sight; Time : Nanoseconds) is
-      --  As Vision.Frame_Store does
+      --  As Vision.Frames does
       function Age (Arrival : Nanoseconds)
         return Vision.Image_Grid.Microseconds
       is (Vision.Image_Grid.Microseconds
@@ -390,18 +408,16 @@ package body Trace_Responses is
                      S.Waiting.Append ((Item.Command, Item.Time));
                   elsif N = "due" then
                      S.Due := Item.Time;
-                  elsif N = "idle" then
-                     S.Waiting.Clear;
-                     S.Due := Never;
-                     S.Ready := Item.Time;
-                  elsif N = "out RBLV" then
-                     S.Sending := Send_Battery;
-                  elsif N = "out MPRG" or else N = "out MEND" then
-                     S.Sending := Send_Mission;
-                  elsif N = "out CPOS" then
-                     S.Sending := Send_Position;
-                  elsif N = "out CIMG" then
-                     S.Sending := Send_Image;
+                  elsif S.Name = "th_sendToMon" then
+                     S.Sending :=
+                       (if N = "out RBLV" then Send_Battery
+                        elsif N = "out MPRG" or else N = "out MEND"
+                        then Send_Mission
+                        elsif N = "out CPOS" then Send_Position
+                        elsif N = "out CIMG" then Send_Image
+                        else Send_Answer);
+                     Add (S, Item.Time, True, Result);
+                     Begin_Job (S, Item);
                   end if;
             end case;
          end;

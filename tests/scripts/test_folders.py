@@ -47,10 +47,10 @@ def compiled(tree: Path, file: str) -> str:
     [
         ("common/texts.adb", "Console"),
         ("process/console.adb", "Robot"),
-        ("robot/robot-health.adb", "Monitor Vision Missions.Runs Robot.Tasks"),
+        ("robot/robot-session.adb", "Monitor Vision Missions.Runs Robot.Tasks"),
         ("monitor/monitor-link.adb", "Robot Vision Missions.Runs Monitor.Tasks"),
-        ("vision/vision-mode.adb", "Robot Monitor Missions.Runs Vision.Tasks"),
-        ("missions/missions-aims.adb", "Monitor Mission_Tasks"),
+        ("vision/vision-following.adb", "Robot Monitor Missions.Runs Vision.Tasks"),
+        ("missions/missions-guards.adb", "Monitor Mission_Tasks"),
         ("tasks/failures.adb", "Checks"),
     ],
 )
@@ -93,7 +93,12 @@ def test_decisions() -> None:
     more = found
     while more:
         has = re.compile(rf"^(?:private )?with (?:{'|'.join(more)});", re.M | re.I)
-        more = {u for u, text in texts.items() if u not in found and has.search(text)}
+        more = {
+            unit
+            for unit, text in texts.items()
+            if unit not in found
+            and (has.search(text) or unit.rpartition(".")[0] in more)
+        }
         found |= more
     table = (ROOT / "docs/architecture.md").read_text("utf-8")
     for room in ROOMS:

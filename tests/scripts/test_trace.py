@@ -25,7 +25,8 @@ def test_slices_are_nested_and_closed(tmp_path: Path) -> None:
         HEAD + "0.000001000 th_move done\n"  # begun before what is kept
         "0.000002000 th_move wait line\n"
         "0.000003500 th_move release #7\n"
-        "1.000004000 th_move start #7\n"
+        "1.000004000 th_move start\n"
+        "1.000004500 th_move take #7\n"
         "1.000005000 th_stop robot M\n"
         "1.000006000 th_move wait line\n"
         "1.000007000 th_move resume\n"

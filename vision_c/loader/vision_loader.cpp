@@ -20,20 +20,14 @@
 
 namespace {
 
+#define FOR_EACH_FUNCTION(DO)                                                 \
+  DO(open) DO(grab) DO(format) DO(close) DO(find_arena) DO(find_robots)       \
+  DO(follow_robots) DO(draw_arena) DO(draw_robot) DO(encode)                  \
+  DO(print_markers) DO(reason) DO(library)
+
 struct Functions {
-  decltype(&vision_open) open;
-  decltype(&vision_grab) grab;
-  decltype(&vision_format) format;
-  decltype(&vision_close) close;
-  decltype(&vision_find_arena) find_arena;
-  decltype(&vision_find_robots) find_robots;
-  decltype(&vision_follow_robots) follow_robots;
-  decltype(&vision_draw_arena) draw_arena;
-  decltype(&vision_draw_robot) draw_robot;
-  decltype(&vision_encode) encode;
-  decltype(&vision_print_markers) print_markers;
-  decltype(&vision_reason) reason;
-  decltype(&vision_library) library;
+#define DECLARE(NAME) decltype(&vision_##NAME) NAME;
+  FOR_EACH_FUNCTION(DECLARE)
 };
 
 // Null until the library is there.
@@ -54,19 +48,8 @@ bool find(void *library, const char *name, Function &function) {
 }
 
 bool find_all(void *library, Functions &all) {
-  return find(library, "vision_open", all.open) &&
-         find(library, "vision_grab", all.grab) &&
-         find(library, "vision_format", all.format) &&
-         find(library, "vision_close", all.close) &&
-         find(library, "vision_find_arena", all.find_arena) &&
-         find(library, "vision_find_robots", all.find_robots) &&
-         find(library, "vision_follow_robots", all.follow_robots) &&
-         find(library, "vision_draw_arena", all.draw_arena) &&
-         find(library, "vision_draw_robot", all.draw_robot) &&
-         find(library, "vision_encode", all.encode) &&
-         find(library, "vision_print_markers", all.print_markers) &&
-         find(library, "vision_reason", all.reason) &&
-         find(library, "vision_library", all.library);
+#define FIND(NAME) find(library, "vision_" #NAME, all.NAME) &&
+  return FOR_EACH_FUNCTION(FIND) true;
 }
 
 // The path of the library into PATH; false where it cannot be told. By its
@@ -166,7 +149,6 @@ vision_status vision_follow_robots(int slot, vision_marker marker,
                                    vision_robot *robots, int capacity,
                                    int *count) {
   const Functions *const all = functions.load();
-  *count = 0;
   *count = 0;
   return all != nullptr ? all->follow_robots(slot, marker, arena, areas,
                                              area_count, robots, capacity,

@@ -4,7 +4,7 @@
 with Interfaces.C; use Interfaces.C;
 
 with Bytes;
-with Monitor.Image_Messages;
+with Monitor.Outbox;
 
 package Image_Buffers is
 
@@ -14,9 +14,9 @@ package Image_Buffers is
    Source : Bytes.Byte_Array (1 .. 2_000_000);
    --  The camera's image
 
-   Jpeg : Bytes.Byte_Array (1 .. Monitor.Image_Messages.Max_Jpeg) :=
+   Jpeg : Bytes.Byte_Array (1 .. Monitor.Outbox.Max_Jpeg) :=
      (others => 0);
-   Text : Monitor.Image_Messages.Message_Buffer := (others => ' ');
+   Text : Monitor.Outbox.Message_Buffer := (others => ' ');
    --  The result
 
 end Image_Buffers;

@@ -19,7 +19,7 @@ with Samples;
 with Scenes;
 with Vision.Following;
 with Vision.Library;   use Vision.Library;
-with Vision.Shapes;    use Vision.Shapes;
+with Vision; use Vision;
 
 procedure Image_Times is
 

@@ -11,14 +11,11 @@ with GNAT.OS_Lib;
 with Commands;
 with Journal;
 with Missions.Requests;
-with Monitor.Image_Messages;
 with Monitor.Mailboxes;
 with Monitor.Outbox;
 with Monitor.Protocol;
-with Monitor.Send_Order;
 with Monitor.Session;
 with Options;
-with Orders;
 with Process.Privileges;
 pragma Unreferenced (Process.Privileges);  --  it has the wrapped geteuid
 with Robot.Line;
@@ -27,11 +24,9 @@ with Robot.Requests;
 with Schedule;
 with Texts;
 with Trace;
-with Vision.Camera_Requests;
-with Vision.Mode;
+with Vision;
 with Vision.Following;
-with Vision.Shapes;
-with Vision.Sightings;
+with Vision.Mode;
 with Vision.State;
 with Vision.Turns;
 
@@ -52,10 +47,10 @@ procedure Operation_Times with Priority => Schedule.Camera_Control_Priority is
    Sample  : Sample_Index := 1;
    Begun   : Time;
 
-   Image : Monitor.Image_Messages.Message_Access :=
-     new Monitor.Image_Messages.Message;
-   Sent  : Monitor.Image_Messages.Message_Access :=
-     new Monitor.Image_Messages.Message;
+   Image : Monitor.Outbox.Message_Access :=
+     new Monitor.Outbox.Message;
+   Sent  : Monitor.Outbox.Message_Access :=
+     new Monitor.Outbox.Message;
 
    procedure Start is
    begin
@@ -85,9 +80,7 @@ procedure Operation_Times with Priority => Schedule.Camera_Control_Priority is
    Open   : Boolean;
    Outbox : Monitor.Mailboxes.Status;
    Next   : Monitor.Mailboxes.Item;
-   Gap    : Monitor.Send_Order.Milliseconds;
-   Hold_End : Time;
-   Order  : Orders.Order;
+   Order  : Commands.Order;
    Status : Robot.Line_Status.Status;
    Job    : Robot.Requests.Job;
    Held   : Robot.Line_Status.Dialogue;
@@ -99,7 +92,7 @@ procedure Operation_Times with Priority => Schedule.Camera_Control_Priority is
    Wanted : Boolean;
    Path   : Missions.Path :=
      (Missions.Centimetres, Missions.Max_Points, others => <>);
-   Robots : constant Vision.Shapes.Robot_Array := (others => <>);
+   Robots : constant Vision.Robot_Array := (others => <>);
    Seen   : Vision.Following.Sighting;
    Text   : Texts.Text;
 
@@ -108,11 +101,11 @@ begin
    for I in Sample_Index loop
       Start;
       for Turn in 1 .. 100 loop
-         Trace.Done (Schedule.Th_Move);
+         Trace.Put (Trace.Done, Schedule.Th_Move);
       end loop;
       Stop;
    end loop;
-   Report ("100 Trace.Done, off");
+   Report ("100 Trace.Put, off");
 
    if Ada.Command_Line.Argument_Count = 1
      and then Ada.Command_Line.Argument (1) = "--trace"
@@ -121,11 +114,11 @@ begin
       for I in Sample_Index loop
          Start;
          for Turn in 1 .. 100 loop
-            Trace.Done (Schedule.Th_Move);
+            Trace.Put (Trace.Done, Schedule.Th_Move);
          end loop;
          Stop;
       end loop;
-      Report ("100 Trace.Done, on");
+      Report ("100 Trace.Put, on");
    end if;
 
    Monitor.Outbox.Open_Session;
@@ -134,7 +127,7 @@ begin
       Monitor.Outbox.Reserve (Order);
       Stop;
       Monitor.Outbox.Answer (Order, Monitor.Protocol.Acknowledged);
-      Monitor.Outbox.Take (0, Time_First, Next, Sent, Gap, Hold_End);
+      Monitor.Outbox.Take (0, Time_First, Next, Sent);
    end loop;
    Report ("Monitor.Outbox.Reserve");
 
@@ -143,7 +136,7 @@ begin
       Start;
       Monitor.Outbox.Answer (Order, Monitor.Protocol.Acknowledged);
       Stop;
-      Monitor.Outbox.Take (0, Time_First, Next, Sent, Gap, Hold_End);
+      Monitor.Outbox.Take (0, Time_First, Next, Sent);
    end loop;
    Report ("Monitor.Outbox.Answer");
 
@@ -159,14 +152,14 @@ begin
       Monitor.Outbox.Get (Outbox);
       Monitor.Outbox.Put_Image (Image, Outbox.Made);
       Start;
-      Monitor.Outbox.Take (0, Time_First, Next, Sent, Gap, Hold_End);
+      Monitor.Outbox.Take (0, Time_First, Next, Sent);
       Stop;
    end loop;
    Report ("Monitor.Outbox.Take, an image");
 
    for Measured in Line_Operation loop
       for I in Sample_Index loop
-         Order := (Number => Orders.Ticket (I),
+         Order := (Number => Commands.Ticket (I),
                    Command => (Name => Commands.Go_Forward, others => <>),
                    Owed => True, others => <>);
          Job := (others => <>);
@@ -226,31 +219,31 @@ begin
 
    for I in Sample_Index loop
       Start;
-      Vision.Sightings.Put (Time_First, Robots, 1);
+      Vision.State.Put (Time_First, Robots, 1);
       Stop;
    end loop;
-   Report ("Vision.Sightings.Put");
+   Report ("Vision.State.Put");
 
    for I in Sample_Index loop
       Start;
-      Vision.Sightings.Store.Get (Seen);
+      Vision.State.Store.Get_Sighting (Seen);
       Stop;
    end loop;
-   Report ("Vision.Sightings.Store.Get");
+   Report ("Vision.State.Store.Get_Sighting");
 
    for I in Sample_Index loop
       Start;
       Vision.State.Store.Get (View);
       Stop;
    end loop;
-   Report ("Vision.State.Get");
+   Report ("Vision.State.Store.Get");
 
    for I in Sample_Index loop
       Start;
-      Vision.Camera_Requests.Requests.Get_Wanted (0, Wanted);
+      Vision.State.Store.Get_Wanted (0, Wanted);
       Stop;
    end loop;
-   Report ("Vision.Camera_Requests.Requests.Get_Wanted");
+   Report ("Vision.State.Store.Get_Wanted");
 
    for I in Sample_Index loop
       Start;

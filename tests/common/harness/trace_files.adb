@@ -6,8 +6,14 @@ with Child_Processes; use Child_Processes;
 
 package body Trace_Files is
 
-   type Depths is array (Thread_Number) of Natural;
-   --  0: idle, 1: in a job, 2: waiting in it
+   type Job is record
+      Depth : Natural := 0;
+      --  0: idle, 1: in a job, 2: waiting in it
+      Place : Natural := 0;
+      --  of its beginning
+   end record;
+
+   type Job_Array is array (Thread_Number) of Job;
 
    function Time_Of (Text : String) return Nanoseconds is
       --  Of seconds with nine decimals
@@ -37,19 +43,19 @@ package body Trace_Files is
 
    procedure Close
      (Result : in out Trace;
-      Open   : in out Depths;
+      Open   : in out Job_Array;
       Thread : Thread_Number;
       Time   : Nanoseconds;
       Left   : Natural) is
    begin
-      while Open (Thread) > Left loop
+      while Open (Thread).Depth > Left loop
          Append (Result, 'E', Thread, Time);
-         Open (Thread) := Open (Thread) - 1;
+         Open (Thread).Depth := Open (Thread).Depth - 1;
       end loop;
    end Close;
 
    procedure Read_Event
-     (Result : in out Trace; Open : in out Depths; Word : Arguments)
+     (Result : in out Trace; Open : in out Job_Array; Word : Arguments)
    is
       --  SECONDS TASK EVENT [WHAT] [#COMMAND]. A job that begins or ends also
       --  ends the one before, and its wait
@@ -72,16 +78,20 @@ package body Trace_Files is
       end loop;
       if Kind = "start" then
          Close (Result, Open, Thread, Time, Left => 0);
-         Append (Result, 'B', Thread, Time, "job", Command);
-         Open (Thread) := 1;
-      elsif Kind = "wait" and then Open (Thread) = 1 then
+         Append (Result, 'B', Thread, Time, "job");
+         Open (Thread) := (1, Result.Events.Last_Index);
+      elsif Kind = "take" then
+         if Open (Thread).Depth > 0 then
+            Result.Events (Open (Thread).Place).Command := Command;
+         end if;
+      elsif Kind = "wait" and then Open (Thread).Depth = 1 then
          Append (Result, 'B', Thread, Time, "wait for" & To_String (What));
-         Open (Thread) := 2;
+         Open (Thread).Depth := 2;
       elsif Kind = "done" then
          Close (Result, Open, Thread, Time, Left => 0);
       elsif Kind in "wait" | "resume" then
          Close (Result, Open, Thread, Time, Left => 1);
-      elsif Kind in "release" | "due" | "idle" | "in" | "out" | "robot" then
+      elsif Kind in "release" | "due" | "in" | "out" | "robot" then
          Append (Result, 'i', Thread, Time, Kind & To_String (What), Command);
       else
          raise Bad_Trace with "no event: " & Kind;
@@ -91,7 +101,7 @@ package body Trace_Files is
    procedure Read (Path : String; Result : out Trace) is
       use Ada.Text_IO;
       File  : File_Type;
-      Open  : Depths := (others => 0);
+      Open  : Job_Array;
       Known : Natural := 0;
    begin
       Result.Events.Clear;

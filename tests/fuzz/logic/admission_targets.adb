@@ -3,7 +3,7 @@
 
 with Ada.Strings;       use Ada.Strings;
 with Ada.Strings.Fixed; use Ada.Strings.Fixed;
-with Admission.Authentication;
+with Admission;
 with Expectations;      use Expectations;
 with Input_Readers;     use Input_Readers;
 with Interfaces;        use Interfaces;
@@ -13,7 +13,7 @@ with Texts;
 package body Admission_Targets is
 
    use Bytes;
-   use type Admission.Authentication.Verdict;
+   use type Admission.Verdict;
    use type Networks.Network;
 
    function Image (N : Networks.Network) return String is
@@ -113,16 +113,16 @@ package body Admission_Targets is
       R     : Reader := (Size => Data'Length, Data => Data, Used => 0);
       Text  : constant String := Rest (R);
       Last  : Natural;
-      T     : Admission.Authentication.Token;
+      T     : Admission.Token;
 
       procedure Show (Line : String) is
          --  In the log nothing of Line stands behind the first label
          Label : constant Natural :=
-           Index (Line, Admission.Authentication.Label);
+           Index (Line, Admission.Label);
          Log   : Texts.Text;
       begin
          Texts.Set (Log, "> ");
-         Admission.Authentication.Append_Shown (Log, Line);
+         Admission.Append_Shown (Log, Line);
          Check (Texts.Image (Log) =
                   Texts.Image
                     (Texts.To_Text
@@ -135,32 +135,32 @@ package body Admission_Targets is
       procedure Greet (Sent : String) is
          --  A newcomer that says so
          Line     : constant String :=
-           Admission.Authentication.Label & T.Data (1 .. T.Length);
-         Newcomer : Admission.Authentication.Reader;
+           Admission.Label & T.Data (1 .. T.Length);
+         Newcomer : Admission.Reader;
       begin
          for C of Sent loop
-            exit when Admission.Authentication.Decision (Newcomer, T) /=
-              Admission.Authentication.Undecided;
+            exit when Admission.Decision (Newcomer, T) /=
+              Admission.Undecided;
             Newcomer.Length := Newcomer.Length + 1;
             Newcomer.Data (Newcomer.Length) := C;
          end loop;
-         Check ((Admission.Authentication.Decision (Newcomer, T) =
-                   Admission.Authentication.Right) =
+         Check ((Admission.Decision (Newcomer, T) =
+                   Admission.Right) =
                   (Head (Sent, Line'Length + 1) = Line & ASCII.LF
                    or else Head (Sent, Line'Length + 2) =
                      Line & ASCII.CR & ASCII.LF),
                 "a token is taken for another");
          Check
-           (Newcomer.Length in Sent'Length | Admission.Authentication.Max_Line
+           (Newcomer.Length in Sent'Length | Admission.Max_Line
             or else Sent (Sent'First + Newcomer.Length - 1) = ASCII.LF,
             "a newcomer is judged too early");
       end Greet;
 
    begin
       Take_Part (R, Last);
-      Admission.Authentication.Read_Token (Text (1 .. Last), T);
+      Admission.Read_Token (Text (1 .. Last), T);
       if T.Length = 0 then
-         Admission.Authentication.Read_Token ("0123456789abcdef", T);
+         Admission.Read_Token ("0123456789abcdef", T);
          Check (T.Length = 16, "a token is refused");
       end if;
       declare
@@ -168,9 +168,9 @@ package body Admission_Targets is
       begin
          Greet (Sent);
          Greet
-           (Admission.Authentication.Label & T.Data (1 .. T.Length) & Sent);
+           (Admission.Label & T.Data (1 .. T.Length) & Sent);
          Show (Sent);
-         Show ("x" & Admission.Authentication.Label & Sent);
+         Show ("x" & Admission.Label & Sent);
       end;
    end Tokens;
 

@@ -132,7 +132,7 @@ package body Monitor_Targets is
       if Here.Name in Mission_Command then
          Monitor.Paths.Parse
            (Line, Line'First + Text_Offset, Measure (Here.Name),
-            Is_Single (Here.Name), Path, Valid);
+            Most_Points (Here.Name), Path, Valid);
          Check (Valid, "a mission has no path");
       end if;
       Texts.Set (Text, "received ");
@@ -148,8 +148,8 @@ package body Monitor_Targets is
 
    procedure Lines (Data : Bytes.Byte_Array) is
       Reader   : Line_Reader;
-      Line     : String (1 .. Max_Line) := (others => ' ');
-      Last     : Natural;
+      Line     : Line_Buffer := (others => ' ');
+      Last     : Line_Length;
       Complete : Boolean;
       Begun    : Positive := 1;
       --  where the line under way began, in All_Text
@@ -162,6 +162,7 @@ package body Monitor_Targets is
          Accept_Character (Reader, All_Text (I), Complete);
          if Complete then
             Get_Line (Reader, Line, Last);
+            Reader := (others => <>);
             Ended := I - 1;
             if Ended >= Begun and then All_Text (Ended) = Carriage_Return then
                Ended := Ended - 1;

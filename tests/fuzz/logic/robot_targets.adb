@@ -16,27 +16,15 @@ package body Robot_Targets is
    use type Robot.Session.Step_Kind;
 
    procedure Read_Frame (F : Frame) is
-      --  Against each command, with and without its terminator
-      Ended  : Frame := F;
+      --  Against each command
       Answer : Reply;
-      Same   : Reply;
    begin
-      if F.Length < Max_Frame then
-         Ended.Length := F.Length + 1;
-         Ended.Data (Ended.Length) := Terminator;
-      end if;
       for Pending in Command_Kind loop
-         Decode (F, Pending, Answer);
+         Answer := Decode (F, Pending);
          Check
            (Is_Answer (Answer.Kind, Pending)
             or else Answer.Kind in Refused | Unknown_Command | Failed_Reply,
             "an answer to another command is taken");
-         if Ended.Length > F.Length
-           and then (F.Length = 0 or else F.Data (F.Length) /= Terminator)
-         then
-            Decode (Ended, Pending, Same);
-            Check (Same = Answer, "a terminator changes an answer");
-         end if;
       end loop;
    end Read_Frame;
 
@@ -47,9 +35,8 @@ package body Robot_Targets is
       Begun    : Positive := 1;
    begin
       for I in Data'Range loop
-         Accept_Byte (R, Data (I), Complete);
+         Accept_Byte (R, Data (I), F, Complete);
          if Complete then
-            Get (R, F);
             if I - Begun > Max_Frame then
                Check (F.Length = 0, "a frame that is too long is not empty");
             else
@@ -78,6 +65,7 @@ package body Robot_Targets is
          C.Kind := Command_Kind'Val (Place);
          Take (R, Asking.Argument'First, Asking.Argument'Last, C.Value);
          Encode (C, F);
+         F.Length := F.Length - 1;
          Read_Frame (F);
       end loop;
    end Commands;
@@ -110,19 +98,18 @@ package body Robot_Targets is
                      | Character'Pos ('C')
                      | Character'Pos ('0') .. Character'Pos ('2') =>
                      --  a sound answer: text and checksum are the same
-                     Accept_Byte (Receiving, B, Complete);
-                     Accept_Byte (Receiving, B, Complete);
-                     Accept_Byte (Receiving, Terminator, Complete);
+                     Accept_Byte (Receiving, B, F, Complete);
+                     Accept_Byte (Receiving, B, F, Complete);
+                     Accept_Byte (Receiving, Terminator, F, Complete);
                   when others =>
                      for I in 1 .. B loop
                         Take (R, B);
-                        Accept_Byte (Receiving, B, Complete);
+                        Accept_Byte (Receiving, B, F, Complete);
                         exit when Complete;
                      end loop;
                end case;
                if Complete then
-                  Get (Receiving, F);
-                  Decode (F, Next.Command.Kind, Last.Reply);
+                  Last.Reply := Decode (F, Next.Command.Kind);
                   Last.Text := Text_Of (F);
                   --  as Robot.Exchange has it
                   Last.Ok :=

@@ -14,7 +14,7 @@ procedure Line_Health_Tests is
       use type Bytes.Byte;
 
       function Answer_Frame (Text : String) return Frame is
-         --  Text with its checksum and terminator.
+         --  Text with its checksum.
          F : Frame;
       begin
          for C of Text loop
@@ -22,14 +22,11 @@ procedure Line_Health_Tests is
             F.Data (F.Length) := Character'Pos (C);
          end loop;
          F.Data (F.Length + 1) := Checksum (F.Data, F.Length);
-         F.Data (F.Length + 2) := Terminator;
-         F.Length := F.Length + 2;
+         F.Length := F.Length + 1;
          return F;
       end Answer_Frame;
 
       H : State;
-      R : Reply;
-
       Nothing : constant Frame := (Length => 0, others => <>);
 
       function Answer (Kind : Command_Kind; Level : Natural) return Frame is
@@ -58,25 +55,27 @@ procedure Line_Health_Tests is
                   Own   : Command_Kind;
                begin
                   Late (0) := Answer (First, Level);
-                  Failure (H, First);
+                  H := After_Failure (H, First);
                   for P in 1 .. Probes loop
                      Late (P) := Answer (Probe (H), Level);
                      Count := P;
-                     Failure (H, Probe (H));
+                     H := After_Failure (H, Probe (H));
                   end loop;
                   Own := Probe (H);
                   for I in 0 .. Count loop
-                     Decode (Late (I), Own, R);
-                     Assert (not Is_Answer (R.Kind, Own), "late answer");
+                     Assert
+                       (not Is_Answer (Decode (Late (I), Own).Kind, Own),
+                        "late answer");
                   end loop;
                   for C of String'("EE") loop
-                     Decode (Answer_Frame ((1 => C)), Own, R);
-                     Assert (not Is_Answer (R.Kind, Own), "late refusal");
+                     Assert
+                       (not Is_Answer
+                          (Decode (Answer_Frame ((1 => C)), Own).Kind, Own),
+                        "late refusal");
                   end loop;
-                  Decode (Answer (Own, Level), Own, R);
-                  Assert (Is_Answer (R.Kind, Own), "own answer");
-                  Success (H);
-                  Assert (In_Step (H), "in step again");
+                  Assert
+                    (Is_Answer (Decode (Answer (Own, Level), Own).Kind, Own),
+                     "own answer");
                end;
             end loop;
          end loop;
@@ -86,21 +85,21 @@ procedure Line_Health_Tests is
    procedure Test_Probe_Order is
       H : State;
    begin
-      Failure (H, Move);
+      H := After_Failure (H, Move);
       Assert (Probe (H) = Version, "first");
-      Failure (H, Version);
+      H := After_Failure (H, Version);
       Assert (Probe (H) = Battery, "second");
-      Failure (H, Battery);
+      H := After_Failure (H, Battery);
       Assert (Probe (H) = Unknown_Letter, "third");
       H := Initial;
-      Failure (H, Version);
-      Failure (H, Battery);
-      Failure (H, Unknown_Letter);
+      H := After_Failure (H, Version);
+      H := After_Failure (H, Battery);
+      H := After_Failure (H, Unknown_Letter);
       Assert (Probe (H) = Ping, "where only an acknowledgement is free");
       H := Initial;
-      Failure (H, Busy);
+      H := After_Failure (H, Busy);
       Assert (Probe (H) = Version, "after a digit");
-      Failure (H, Version);
+      H := After_Failure (H, Version);
       Assert (Probe (H) = Unknown_Letter, "no digit after a digit");
    end Test_Probe_Order;
 

@@ -2,11 +2,10 @@
 --  Runs the unit tests of the pure packages: all, or those whose names
 --  are its arguments.
 
-with Authentication_Tests;
+with Admission_Tests;
 with Base64_Tests;
 with Command_Lines_Tests;
 with Commands_Tests;
-with Image_Grid_Tests;
 with Line_Health_Tests;
 with Mailboxes_Tests;
 with Mission_Arenas_Tests;
@@ -17,23 +16,21 @@ with Missions_Texts_Tests;
 with Monitor_Link_Tests;
 with Monitor_Protocol_Tests;
 with Networks_Tests;
-with Processor_Sets_Tests;
+with Process.Threads.Set_Tests;
 with Robot_Protocol_Tests;
 with Robot_Session_Tests;
-with Send_Order_Tests;
 with Tcp_Infos_Tests;
 with Texts_Tests;
 with Unit_Runs; use Unit_Runs;
 
 procedure Logic_Unit_Tests is
 begin
-   Group ("Admission.Authentication", Authentication_Tests'Access);
+   Group ("Admission", Admission_Tests'Access);
    Group ("Base64", Base64_Tests'Access);
    Group ("Command_Lines", Command_Lines_Tests'Access);
    Group ("Commands", Commands_Tests'Access);
    Group ("Networks", Networks_Tests'Access);
-   Group ("Vision.Image_Grid", Image_Grid_Tests'Access);
-   Group ("Processor_Sets", Processor_Sets_Tests'Access);
+   Group ("Process.Threads", Process.Threads.Set_Tests'Access);
    Group ("Robot.Protocol", Robot_Protocol_Tests'Access);
    Group ("Monitor.Protocol", Monitor_Protocol_Tests'Access);
    Group ("Robot.Health", Line_Health_Tests'Access);
@@ -45,7 +42,6 @@ begin
    Group ("Missions.Runs", Mission_Runs_Tests'Access);
    Group ("Monitor.Link", Monitor_Link_Tests'Access);
    Group ("Robot.Session", Robot_Session_Tests'Access);
-   Group ("Monitor.Send_Order", Send_Order_Tests'Access);
    Group ("TCP_INFO", Tcp_Infos_Tests'Access);
    Group ("Texts", Texts_Tests'Access);
    Finish;

@@ -1,16 +1,15 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  What waits for the monitor: order of the answers, the newest image, the
---  gap and the hold, by a clock of the test's own.
+--  What waits for the monitor: order of the answers, the newest image, what is
+--  next, the gap and the hold, by a clock of the test's own.
 
 with Ada.Real_Time;
 
 with AUnit.Assertions;   use AUnit.Assertions;
 
+with Commands; use Commands;
 with Monitor.Mailboxes;  use Monitor.Mailboxes;
 with Monitor.Notices;
 with Monitor.Protocol; use Monitor.Protocol;
-with Monitor.Send_Order; use Monitor.Send_Order;
-with Orders;             use Orders;
 with Schedule;
 with Unit_Runs; use Unit_Runs;
 
@@ -36,11 +35,10 @@ procedure Mailboxes_Tests is
 
    procedure Begin_Anew is
       --  A session with nothing in it.
-      Next : Ticket;
    begin
       Now := Ada.Real_Time.Clock;
-      Close_Session (B, Next);
-      Assert (Next > 0, "numbers begin at 1");
+      Close_Session (B);
+      Assert (B.Next > 0, "numbers begin at 1");
       Open_Session (B);
    end Begin_Anew;
 
@@ -50,10 +48,9 @@ procedure Mailboxes_Tests is
       --  What is taken next, Kept ms after the one before; Text without its
       --  line feed, empty for an image.
       Next : Monitor.Mailboxes.Item;
-      Gap  : Monitor.Send_Order.Milliseconds;
       Left : Boolean;
    begin
-      Take (B, Between, Now, Now - Ms (Kept), Next, Gap, Left);
+      Take (B, Between, Now, Now - Ms (Kept), Next, Left);
       Assert (Next.Kind = Kind, Text & ": " & Next.Kind'Image);
       Assert (Next.Unsent = (Kind /= Nothing), "to be sent");
       if Kind /= Nothing and then not Next.Is_Image then
@@ -64,9 +61,9 @@ procedure Mailboxes_Tests is
    end Check;
 
    procedure Check_Gap (Expected : Natural) is
+      Due : constant Milliseconds := Gap (B, Next (B), Between);
    begin
-      Assert (Due (B, Between) = Expected,
-              "the gap is" & Due (B, Between)'Image);
+      Assert (Due = Expected, "the gap is" & Due'Image);
    end Check_Gap;
 
    function Is_Held return Boolean is
@@ -109,7 +106,7 @@ procedure Mailboxes_Tests is
 
    procedure Put_Battery is
    begin
-      Put (Level, "RBLV:2");
+      Put (Battery, "RBLV:2");
    end Put_Battery;
 
    procedure Put_End (Number : Ticket; Text : String) is
@@ -134,8 +131,8 @@ procedure Mailboxes_Tests is
       Put_Arena (B, First, Accepted, Kept);
       Assert (not Accepted, "the one before waits still");
       Answer (First);
-      Check (Monitor.Send_Order.Answer, "AACK");
-      Check (Monitor.Send_Order.Answer);
+      Check (Monitor.Mailboxes.Answer, "AACK");
+      Check (Monitor.Mailboxes.Answer);
       Put_Arena (B, Second, Accepted, Kept);
       Assert (Accepted and then not Kept, "answered already");
       Check (Nothing);
@@ -151,36 +148,73 @@ procedure Mailboxes_Tests is
       for I in 2 .. Capacity loop
          Assert (Place = First + Ticket (I) - 1, "numbers in a row");
       end loop;
-      Assert (Commands (B) = Capacity, "full");
+      Assert (Pending (B) = Capacity, "full");
       Reserve (B, Now, Number, Result);
       Assert (Result = Full, "no more room");
       Answer (First);
-      Check (Monitor.Send_Order.Answer, "AACK");
+      Check (Monitor.Mailboxes.Answer, "AACK");
       Assert (Place = First + Capacity, "room again");
    end Test_Full;
 
    procedure Test_Gap is
    begin
       Begin_Anew;
-      Put (Monitor.Mailboxes.Place, "CPOS:one");
+      Put (Position, "CPOS:one");
       Put_Image;
       Check_Gap (0);
       Check (Image, Kept => 0);
       Check_Gap (20);
       Put_Image;
-      Put (Monitor.Mailboxes.Place, "CPOS:two");
+      Put (Position, "CPOS:two");
       Check (Nothing, Kept => 19);
       Check (Position, "CPOS:two");
       Answer (Place);
       Check_Gap (4);
       Check (Nothing, Kept => 3);
-      Check (Monitor.Send_Order.Answer, "AACK", Kept => 4);
+      Check (Monitor.Mailboxes.Answer, "AACK", Kept => 4);
       Check_Gap (20);
       Check (Nothing, Kept => 19);
       Check (Image);
       Check_Gap (0);
       Check (Nothing);
    end Test_Gap;
+
+   procedure Test_Gaps is
+
+      procedure Check
+        (Last, Sent : Choice;
+         Between    : Milliseconds;
+         Expected   : Milliseconds;
+         Released   : Boolean := False)
+      is
+         Value : constant Milliseconds :=
+           Gap
+             ((Last   => Last,
+               Held   => (Released => Released, others => <>),
+               others => <>),
+              Sent, Between);
+      begin
+         Assert (Value = Expected,
+                 Sent'Image & " after " & Last'Image & ":" & Value'Image);
+      end Check;
+
+      After_Command : constant Choice := Monitor.Mailboxes.Answer;
+
+   begin
+      Check (Nothing, Image, 20, 0);
+      Check (Image, Position, 20, 20);
+      Check (Position, Battery, 20, 20);
+      Check (Image, After_Command, 20, 4);
+      Check (Image, After_Command, 3, 3);
+      Check (Image, After_Command, 0, 0);
+      Check (After_Command, After_Command, 20, 0);
+      Check (After_Command, Image, 20, 20);
+      Check (After_Command, Image, 20, 4, Released => True);
+      Check (After_Command, Image, 0, 0, Released => True);
+      Check (Image, Battery, 20, 20, Released => True);
+      Check (Image, After_Command, 1_000, 4);
+      Check (Image, Nothing, 20, 0);
+   end Test_Gaps;
 
    procedure Test_Hold is
       First, Second : Ticket;
@@ -196,10 +230,10 @@ procedure Mailboxes_Tests is
       Pass (Ms (1));
       Check_Hold (False);
       Answer (First);
-      Answer (Second, Refused);
-      Check (Monitor.Send_Order.Answer, "AACK");
+      Answer (Second, Monitor.Protocol.Refused);
+      Check (Monitor.Mailboxes.Answer, "AACK");
       Check (Battery, "RBLV:2");
-      Check (Monitor.Send_Order.Answer, "ACRJ");
+      Check (Monitor.Mailboxes.Answer, "ACRJ");
       Check (Image);
    end Test_Hold;
 
@@ -209,12 +243,12 @@ procedure Mailboxes_Tests is
    begin
       Begin_Anew;
       Answer (Place);
-      Check (Monitor.Send_Order.Answer, "AACK");
+      Check (Monitor.Mailboxes.Answer, "AACK");
       Put_Battery;
       Check_Hold (False);
       loop
          Answer (Place);
-         Check (Monitor.Send_Order.Answer, "AACK");
+         Check (Monitor.Mailboxes.Answer, "AACK");
          Turns := Turns + 1;
          Assert (Turns <= 2 * 95, "held back for ever");
          Pass (Ms (10));
@@ -234,7 +268,7 @@ procedure Mailboxes_Tests is
       Put_Image;
       Check_Hold (True);
       Answer (Number);
-      Check (Monitor.Send_Order.Answer, "AACK");
+      Check (Monitor.Mailboxes.Answer, "AACK");
       Check (Battery, "RBLV:2");
       Pass (Ms (500));
       Number := Place;
@@ -244,7 +278,7 @@ procedure Mailboxes_Tests is
       Pass (Ms (500));
       Check (Image);
       Answer (Number);
-      Check (Monitor.Send_Order.Answer, "AACK");
+      Check (Monitor.Mailboxes.Answer, "AACK");
    end Test_Hold_Of_Each;
 
    procedure Test_Mission is
@@ -253,11 +287,11 @@ procedure Mailboxes_Tests is
       Begin_Anew;
       Number := Place;
       Answer (Number);
-      Check (Monitor.Send_Order.Answer, "AACK");
+      Check (Monitor.Mailboxes.Answer, "AACK");
       Put_Progress (Number, "MPRG:1;2;300");
       Put_Progress (Number, "MPRG:1;2;200");
       Put_Battery;
-      Check (Mission, "MPRG:1;2;200");
+      Check (Progress, "MPRG:1;2;200");
       Check (Battery, "RBLV:2");
       Check (Nothing);
 
@@ -266,11 +300,11 @@ procedure Mailboxes_Tests is
       Put_Progress (Number, "MPRG:2;2;100");
       Put_End (Number, "MEND:done");
       Put_Progress (Number, "MPRG:2;2;90");
-      Put (Monitor.Mailboxes.Place, "CPOS:one");
+      Put (Position, "CPOS:one");
       Put_Image;
       Stop_Images (B);
       Put_Image;
-      Check (Mission, "MEND:done");
+      Check (Ending, "MEND:done");
       Check (Image);
       Check (Nothing);
 
@@ -281,9 +315,9 @@ procedure Mailboxes_Tests is
       Check_Hold (True);
       Check (Nothing);
       Answer (Stop);
-      Check (Monitor.Send_Order.Answer, "AACK");
+      Check (Monitor.Mailboxes.Answer, "AACK");
       Check_Gap (20);
-      Check (Mission, "MEND:aborted;order by hand");
+      Check (Ending, "MEND:aborted;order by hand");
       Check (Nothing);
    end Test_Mission;
 
@@ -295,12 +329,12 @@ procedure Mailboxes_Tests is
       Put (B, Told (Monitor.Notices.Camera_Ended), Now);
       Put (Lost, "ATIM");
       Put (B, Told (Monitor.Notices.Robot_Lost_Empty), Now);
-      Check (Robot_Lost, "ATIM");
+      Check (Lost, "ATIM");
       Check (Text, "MSSG:camera closed: it delivers no images any more");
       Check (Text, "MSSG:robot lost: its battery was empty, it may be off: "
                    & "charge it");
       Put (Lost, "ATIM");
-      Check (Robot_Lost, "ATIM");
+      Check (Lost, "ATIM");
       Check (Image);
       Check (Nothing);
       Put_Image;
@@ -316,7 +350,7 @@ procedure Mailboxes_Tests is
       Answer (Old);
       Put_Progress (Old, "MPRG:1;1;300");
       Put_End (Old, "MEND:done");
-      Close_Session (B, Next);
+      Close_Session (B);
       Put_End (Old, "MEND:done");
       Open_Session (B);
       Put_Progress (Old, "MPRG:1;1;300");
@@ -326,8 +360,8 @@ procedure Mailboxes_Tests is
       Answer (Next);
       Put_End (Next, "MEND:done");
       Put_End (Old, "MEND:aborted;monitor lost");
-      Check (Monitor.Send_Order.Answer, "AACK");
-      Check (Mission, "MEND:done");
+      Check (Monitor.Mailboxes.Answer, "AACK");
+      Check (Ending, "MEND:done");
    end Test_Old_Mission;
 
    procedure Test_Order is
@@ -338,13 +372,13 @@ procedure Mailboxes_Tests is
       Second := Place;
       Third := Place;
       Put_Image;
-      Answer (Third, Refused);
+      Answer (Third, Monitor.Protocol.Refused);
       Check (Nothing);
       Put_Answer (B, Second, No_Line);
       Answer (First);
-      Answer (First, Timed_Out);
-      Check (Monitor.Send_Order.Answer, "AACK");
-      Check (Monitor.Send_Order.Answer, "ACRJ");
+      Answer (First, Monitor.Protocol.Timed_Out);
+      Check (Monitor.Mailboxes.Answer, "AACK");
+      Check (Monitor.Mailboxes.Answer, "ACRJ");
       Check (Image);
    end Test_Order;
 
@@ -358,16 +392,69 @@ procedure Mailboxes_Tests is
       Begin_Anew;
       Next := Place;
       Assert (Next > Old, "no number twice");
-      Answer (Old, Refused);
-      Answer (Next + 1, Refused);
+      Answer (Old, Monitor.Protocol.Refused);
+      Answer (Next + 1, Monitor.Protocol.Refused);
       Put_Image (B, Made, Now, Kept);
       Assert (not Kept, "an image of another session");
       Check (Nothing);
       Answer (Next);
-      Check (Monitor.Send_Order.Answer, "AACK");
+      Check (Monitor.Mailboxes.Answer, "AACK");
    end Test_Stale;
 
+   procedure Test_Turns is
+   begin
+      Begin_Anew;
+      Put_Image;
+      Put (Position, "CPOS:one");
+      --  a monitor so slow that there are always new ones of both
+      for Round in 1 .. 3 loop
+         Put_Battery;
+         Check (Battery, "RBLV:2");
+         Check (Image);
+         Put_Image;
+         Put_Battery;
+         Check (Battery, "RBLV:2");
+         Check (Position, "CPOS:one");
+         Put (Position, "CPOS:one");
+      end loop;
+      --  one without the other
+      B.Image := False;
+      Check (Position, "CPOS:one");
+      for Round in 1 .. 2 loop
+         Put_Image;
+         Check (Image);
+      end loop;
+   end Test_Turns;
+
+   procedure Test_Urgency is
+      Number : Ticket;
+   begin
+      Begin_Anew;
+      Number := Place;
+      Put_Image;
+      Put (Position, "CPOS:one");
+      Put_Battery;
+      Put_End (Number, "MEND:done");
+      Put (Text, "MSSG:text");
+      Put (Lost, "ATIM");
+      Answer (Number);
+      Check (Monitor.Mailboxes.Answer, "AACK");
+      Check (Lost, "ATIM");
+      Check (Text, "MSSG:text");
+      Check (Ending, "MEND:done");
+      Check (Battery, "RBLV:2");
+      Check (Image);
+      Check (Position, "CPOS:one");
+      Check (Nothing);
+      Put_Image;
+      B.Open := False;
+      Check (Nothing);
+   end Test_Urgency;
+
 begin
+   Run_Test ("most urgent first", Test_Urgency'Access);
+   Run_Test ("image and position in turn", Test_Turns'Access);
+   Run_Test ("the gap by default", Test_Gaps'Access);
    Run_Test ("answers in order", Test_Order'Access);
    Run_Test ("the newest image wins", Test_Newest'Access);
    Run_Test ("an answer that is an image", Test_Arena'Access);

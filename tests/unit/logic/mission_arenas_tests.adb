@@ -10,7 +10,7 @@ with AUnit.Assertions;          use AUnit.Assertions;
 with Missions.Angles;
 with Missions.Arenas;           use Missions.Arenas;
 with Missions.Guards;
-with Vision.Shapes;             use Vision.Shapes;
+with Vision; use Vision;
 with Unit_Runs; use Unit_Runs;
 
 procedure Mission_Arenas_Tests is
@@ -28,18 +28,18 @@ procedure Mission_Arenas_Tests is
 
    subtype Vector is Real_Vector (1 .. 8);
 
-   function X_Of (H : Vector; P : Vision.Shapes.Point) return Real is
+   function X_Of (H : Vector; P : Vision.Point) return Real is
      ((H (1) * Real (P.X) + H (2) * Real (P.Y) + H (3))
       / (H (7) * Real (P.X) + H (8) * Real (P.Y) + 1.0));
 
-   function Y_Of (H : Vector; P : Vision.Shapes.Point) return Real is
+   function Y_Of (H : Vector; P : Vision.Point) return Real is
      ((H (4) * Real (P.X) + H (5) * Real (P.Y) + H (6))
       / (H (7) * Real (P.X) + H (8) * Real (P.Y) + 1.0));
 
-   function Pixels (X, Y : Real) return Vision.Shapes.Point is
+   function Pixels (X, Y : Real) return Vision.Point is
      ((Micro_Pixels (X * 1.0E6), Micro_Pixels (Y * 1.0E6)));
 
-   function On_Grid (P : Vision.Shapes.Point) return Vision.Shapes.Point is
+   function On_Grid (P : Vision.Point) return Vision.Point is
      ((Micro_Pixels (To_Grid (P).X * Unit_Size),
        Micro_Pixels (To_Grid (P).Y * Unit_Size)));
 
@@ -132,7 +132,7 @@ procedure Mission_Arenas_Tests is
 
    function Seen
      (Corners : Arena_Corners; Size : Arena_Size; X, Y : Real)
-      return Vision.Shapes.Point
+      return Vision.Point
    is
       --  Where a place (micrometres) is in the image
       H : constant Vector := Fitted (Corners, Size);
@@ -176,7 +176,7 @@ procedure Mission_Arenas_Tests is
       for X in Wide range 0 .. 64 loop
          for Y in Wide range 0 .. 48 loop
             declare
-               P : constant Vision.Shapes.Point :=
+               P : constant Vision.Point :=
                  (Micro_Pixels (X) * 9_999_999, Micro_Pixels (Y) * 9_999_999);
             begin
                Assert (Whole (M, P) = Y_Part (M, P) + Y_Part (Turned, P),
@@ -228,7 +228,7 @@ procedure Mission_Arenas_Tests is
             M             : Map;
             Usable, Known : Boolean;
             Where         : Place;
-            P             : Vision.Shapes.Point;
+            P             : Vision.Point;
             X, Y, Loss    : Real;
          begin
             Make (Corners, Size, M, Usable);
@@ -311,7 +311,7 @@ procedure Mission_Arenas_Tests is
       Usable : Boolean;
       Known  : Boolean;
       Where  : Pose;
-      R      : Vision.Shapes.Robot;
+      R      : Vision.Robot;
    begin
       Make (Usual, Size, M, Usable);
       Assert (Usable, "usable");

@@ -10,7 +10,7 @@ with Missions.Grounds;  use Missions.Grounds;
 with Missions.Runs;
 with Robot.Session;
 with Vision.Mode;
-with Vision.Shapes;     use Vision.Shapes;
+with Vision; use Vision;
 with Unit_Runs; use Unit_Runs;
 
 procedure Mission_Grounds_Tests is
@@ -57,14 +57,11 @@ procedure Mission_Grounds_Tests is
 
    procedure Expect_End
      (G                : Ground;
-      Reason           : Abort_Reason;
+      Reason           : Ending;
       Is_Over, By_Hand : Boolean := False)
    is
-      Ends : Boolean;
-      Why  : Abort_Reason;
+      Why : constant Ending := Ended_By (Good, G, Is_Over, By_Hand);
    begin
-      Look (Good, G, Is_Over, By_Hand, Ends, Why);
-      Assert (Ends, "goes on, but " & Reason'Image);
       Assert (Why = Reason, Why'Image & " and not " & Reason'Image);
    end Expect_End;
 
@@ -122,15 +119,12 @@ procedure Mission_Grounds_Tests is
    end Test_Refused;
 
    procedure Test_Ends is
-      G    : Ground := Good;
-      Ends : Boolean;
-      Why  : Abort_Reason;
+      G : Ground := Good;
    begin
       G.Seen := (others => <>);
       G.Now := Start + Seconds (100);
       --  what images show is judged by Missions.Runs
-      Look (Good, G, False, False, Ends, Why);
-      Assert (not Ends, "ends by " & Why'Image);
+      Expect_End (G, Completed);
 
       G.View.Arena (Top_Left).X := 81_000_000;
       Expect_End (G, Camera_Ended);

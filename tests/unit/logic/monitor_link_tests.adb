@@ -19,7 +19,7 @@ procedure Monitor_Link_Tests is
       --  A connection is admitted.
    begin
       Now := Time;
-      Start (S, Now);
+      S := Started (Now);
    end Begin_At;
 
    Open   : constant Natural := 64_512;
@@ -37,22 +37,21 @@ procedure Monitor_Link_Tests is
       Since_Data     : Milliseconds := Milliseconds'Last) return Verdict
    is
       --  The verdict on the sample after a period more.
-      V : Verdict;
+      X : constant Sample :=
+        (Now            => Now + Step,
+         Known          => True,
+         Patience       => Patience,
+         Unacknowledged => Unacknowledged,
+         Outstanding    => Outstanding,
+         Window         => Window,
+         Probes         => Probes,
+         Since_Heard    => Since_Heard,
+         Since_Data     => Since_Data,
+         Bytes_Acked    => Bytes_Acked);
    begin
-      Now := Now + Step;
-      Judge (S,
-             (Now            => Now,
-              Known          => True,
-              Patience       => Patience,
-              Unacknowledged => Unacknowledged,
-              Outstanding    => Outstanding,
-              Window         => Window,
-              Probes         => Probes,
-              Since_Heard    => Since_Heard,
-              Since_Data     => Since_Data,
-              Bytes_Acked    => Bytes_Acked),
-             V);
-      return V;
+      Now := X.Now;
+      S := After (S, X);
+      return Verdict_On (S, X);
    end Next;
 
    procedure Test_After_Silence is
@@ -319,7 +318,7 @@ procedure Monitor_Link_Tests is
 
       procedure Check
         (Stopping : Boolean;
-         Loss     : Loss_Kind;
+         Loss     : Cause;
          V        : Verdict;
          Expected : String)
       is
@@ -330,21 +329,21 @@ procedure Monitor_Link_Tests is
                  Expected & " expected, not " & Texts.Image (Line));
       end Check;
    begin
-      Check (False, None, Present, "");
+      Check (False, Present, Present, "");
       Check (True, Closed_By_Peer, Vanished, "the supervisor is stopping");
       Check (False, Closed_By_Peer, Present, "connection closed");
       Check (False, Reset_By_Peer, Stalled, "connection reset");
       Check (False, No_Sign_Of_Life, Present,
              "it vanished, no sign of life for 4 s");
-      Check (False, None, Vanished,
+      Check (False, Present, Vanished,
              "it vanished, nothing has been acknowledged for 4 s");
-      Check (False, None, Unreachable,
+      Check (False, Present, Unreachable,
              "it cannot be reached, nothing could be sent for 4 s: no link, "
              & "address or route");
-      Check (False, None, Silent,
+      Check (False, Present, Silent,
              "its program has been silent for longer than it promised (LIVE), "
              & "or --monitor-silence allows");
-      Check (False, None, Stalled, "it has taken nothing for 15 s");
+      Check (False, Present, Stalled, "it has taken nothing for 15 s");
    end Test_Cause;
 
 begin

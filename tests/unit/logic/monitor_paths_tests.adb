@@ -9,12 +9,13 @@ with Unit_Runs; use Unit_Runs;
 
 procedure Monitor_Paths_Tests is
 
-   function Parsed (Text : String; Single : Boolean := False) return Path is
+   function Parsed (Text : String) return Path is
       --  Of centimetres. Count 0: no path
       P     : Path;
       Valid : Boolean;
    begin
-      Monitor.Paths.Parse (Text, Text'First, Centimetres, Single, P, Valid);
+      Monitor.Paths.Parse
+        (Text, Text'First, Centimetres, Max_Points, P, Valid);
       Assert (Valid = (P.Count > 0), Text & ": valid or empty");
       Assert (P.Measure = Centimetres, "the unit");
       return P;

@@ -43,11 +43,11 @@ procedure Robot_Protocol_Tests is
    end Frame_Of;
 
    function Answered (Text : String; Pending : Command_Kind) return Reply is
-      --  The meaning of a sound frame with Text.
-      R : Reply;
+      --  The meaning of a sound frame with Text, received.
+      F : Frame := Frame_Of (Text);
    begin
-      Decode (Frame_Of (Text), Pending, R);
-      return R;
+      F.Length := F.Length - 1;
+      return Decode (F, Pending);
    end Answered;
 
    procedure Check_Command (C : Command; Text : String) is
@@ -113,7 +113,7 @@ procedure Robot_Protocol_Tests is
 
    procedure Test_Nul is
       F        : Frame;
-      R        : Reply;
+      Received : Frame;
       Rec      : Receiver;
       Complete : Boolean;
       Text     : constant String := "1.1." & Character'Val (33) & "3.";
@@ -123,11 +123,11 @@ procedure Robot_Protocol_Tests is
       F := Frame_Of ("1.1.");
       Assert (F.Data (5) = 0, "NUL");
       for I in 1 .. F.Length loop
-         Accept_Byte (Rec, F.Data (I), Complete);
+         Accept_Byte (Rec, F.Data (I), Received, Complete);
       end loop;
-      Get (Rec, F);
-      Decode (F, Version, R);
-      Assert (Complete and then R = (Version_Text, 0), "version");
+      Assert
+        (Complete and then Decode (Received, Version) = (Version_Text, 0),
+         "version");
 
       --  No command has such a checksum: the robot would drop it
 

@@ -274,10 +274,10 @@ procedure Robot_Session_Tests is
             Explore_From (S, (Kind, Forward));
             for First in Wire.Command_Kind loop
                S := Opened (Mode);
-               Robot.Health.Failure (S.Health, First);
+               S.Health := Robot.Health.After_Failure (S.Health, First);
                Explore_From (S, (Kind, Driving));
                for Probes in 1 .. 2 loop
-                  Robot.Health.Failure
+                  S.Health := Robot.Health.After_Failure
                     (S.Health, Robot.Health.Probe (S.Health));
                   Explore_From (S, (Kind, Driving));
                end loop;
@@ -404,7 +404,8 @@ procedure Robot_Session_Tests is
          --  Started, one answer missing.
          Result : State := Opened (Started);
       begin
-         Robot.Health.Failure (Result.Health, Wire.Ping);
+         Result.Health := Robot.Health.After_Failure
+           (Result.Health, Wire.Ping);
          return Result;
       end Unsure;
 

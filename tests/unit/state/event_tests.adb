@@ -5,12 +5,13 @@ with AUnit.Assertions; use AUnit.Assertions;
 with Ada.Real_Time;
 with Event;
 with Instants;         use Instants;
+with Schedule;
 with Unit_Runs; use Unit_Runs;
 
 procedure Event_Tests is
 
-   package Asked is new Event;
-   package Answered is new Event;
+   package Asked is new Event (Schedule.Th_Arene);
+   package Answered is new Event (Schedule.Th_Camera);
 
    procedure Test_Kept is
       Pause : constant Duration := 0.05;

@@ -20,31 +20,33 @@ procedure Journal_Tests is
       Journal.Take (Item);
       Assert (Item.Text (1 .. Item.Length) = Text,
               Text & " expected, not " & Item.Text (1 .. Item.Length));
-      Journal.Written;
    end Check;
 
    procedure Test_Full is
       Count : Natural;
+      --  with the line that Check has taken last
    begin
       for I in 1 .. Journal.Capacity + 3 loop
          Journal.Put (Options.Info, "line" & I'Image);
       end loop;
       Journal.Get_Waiting (Count);
-      Assert (Count = Journal.Capacity, "full");
+      Assert (Count = Journal.Capacity + 1, "full");
       Check ("3 lines were not kept: the console is too slow");
       for I in 1 .. Journal.Capacity loop
          Check ("line" & I'Image);
       end loop;
       Journal.Get_Waiting (Count);
-      Assert (Count = 0, "empty");
+      Assert (Count = 1, "empty");
    end Test_Full;
 
    procedure Test_Level is
-      Count : Natural;
+      Before : Natural;
+      Count  : Natural;
    begin
+      Journal.Get_Waiting (Before);
       Journal.Put (Options.Debug, "too much");
       Journal.Get_Waiting (Count);
-      Assert (Count = 0, "left out");
+      Assert (Count = Before, "left out");
       Journal.Set_Level (Options.Debug);
       Journal.Put (Options.Debug, "wanted");
       Journal.Set_Level (Options.Info);

@@ -2,17 +2,16 @@
 
 with AUnit.Assertions; use AUnit.Assertions;
 
-with Commands;
+with Commands; use Commands;
 with Missions;         use Missions;
 with Missions.Requests;
-with Orders;           use Orders;
 with Unit_Runs; use Unit_Runs;
 
 procedure Missions_Requests_Tests is
 
    procedure Put (Number : Ticket; Points : Point_Count; Taken : Boolean) is
       --  Asks for a mission, which is Taken or stays with the caller
-      Order : Orders.Order :=
+      Order : Commands.Order :=
         (Number  => Number,
          Command => (Commands.Follow_Pixels, 0),
          Owed    => True,
@@ -23,7 +22,7 @@ procedure Missions_Requests_Tests is
    end Put;
 
    procedure Test_One is
-      Order : Orders.Order;
+      Order : Commands.Order;
       What  : Path;
    begin
       Put (3, 5, Taken => True);
@@ -41,7 +40,7 @@ procedure Missions_Requests_Tests is
    end Test_One;
 
    procedure Test_Wait is
-      Order : Orders.Order;
+      Order : Commands.Order;
       What  : Path;
 
       task Monitor_Side;

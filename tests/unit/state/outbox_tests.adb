@@ -1,20 +1,20 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
 --  The outbox: images are passed by reference, and waiting tasks are woken.
 
-with Ada.Real_Time;          use Ada.Real_Time;
+with Ada.Real_Time;    use Ada.Real_Time;
 
-with AUnit.Assertions;       use AUnit.Assertions;
+with AUnit.Assertions; use AUnit.Assertions;
 
-with Monitor.Image_Messages; use Monitor.Image_Messages;
+with Commands; use Commands;
 with Monitor.Mailboxes;
-with Monitor.Outbox;
+with Monitor.Outbox;   use Monitor.Outbox;
 with Monitor.Protocol; use Monitor.Protocol;
-with Monitor.Send_Order;     use Monitor.Send_Order;
-with Orders;                 use Orders;
 with Schedule;
 with Unit_Runs; use Unit_Runs;
 
 procedure Outbox_Tests is
+
+   use all type Monitor.Mailboxes.Choice;
 
    Made_Here : Message_Access := new Message;  --  to be filled next
    Sent_Here : Message_Access := new Message;  --  taken last
@@ -29,12 +29,12 @@ procedure Outbox_Tests is
       Monitor.Outbox.Open_Session;
    end Begin_Anew;
 
-   procedure Check (Kind : Choice; Image : String := "") is
+   procedure Check (Kind : Monitor.Mailboxes.Choice; Image : String := "") is
       --  What is taken next; the image's text.
       Next : Monitor.Mailboxes.Item;
-      Gap  : Monitor.Send_Order.Milliseconds;
    begin
-      Monitor.Outbox.Take (20, Time_First, Next, Sent_Here, Gap, Hold_End);
+      Monitor.Outbox.Take (20, Time_First, Next, Sent_Here);
+      Hold_End := Next.Hold_End;
       Assert (Next.Kind = Kind, Next.Kind'Image & " taken");
       Assert (Next.Is_Image = (Image /= ""), "is it an image?");
       if Image /= "" then
@@ -72,13 +72,13 @@ procedure Outbox_Tests is
       Monitor.Outbox.Answer (Second, No_Line);
       Monitor.Outbox.Wait (Hold_End);
       Check (Nothing);
-      Monitor.Outbox.Answer (First, Refused);
+      Monitor.Outbox.Answer (First, Monitor.Protocol.Refused);
       Monitor.Outbox.Wait (Hold_End);
       Monitor.Outbox.Get (Known);
-      Assert (Known.Commands = 2, "two wait");
-      Check (Monitor.Send_Order.Answer);
+      Assert (Known.Pending = 2, "two wait");
+      Check (Monitor.Mailboxes.Answer);
       Monitor.Outbox.Get (Known);
-      Assert (Known.Commands = 0, "nobody waits");
+      Assert (Known.Pending = 0, "nobody waits");
       Assert (not First.Owed and then not Second.Owed, "nothing is owed");
    end Test_Answers;
 
@@ -87,22 +87,22 @@ procedure Outbox_Tests is
       Begun : Time;
       Item  : Order;
       Next  : Monitor.Mailboxes.Item;
-      Gap   : Monitor.Send_Order.Milliseconds;
    begin
       Begin_Anew;
       Monitor.Outbox.Reserve (Item);
       Begun := Clock;
       Monitor.Outbox.Put
-        ((Monitor.Mailboxes.Level, Short ("RBLV:2"), others => <>));
+        ((Monitor.Mailboxes.Battery, Short ("RBLV:2"), others => <>));
       loop
          Monitor.Outbox.Wait (Hold_End);
-         Monitor.Outbox.Take (20, Time_First, Next, Sent_Here, Gap, Hold_End);
+         Monitor.Outbox.Take (20, Time_First, Next, Sent_Here);
+         Hold_End := Next.Hold_End;
          exit when Next.Kind /= Nothing;
       end loop;
       Assert (Next.Kind = Battery, Next.Kind'Image & " taken");
       Assert (Clock >= Begun + Schedule.Hold_Limit, "held back");
       Assert (Hold_End = Time_Last, "held back no more");
-      Monitor.Outbox.Answer (Item, Refused);
+      Monitor.Outbox.Answer (Item, Monitor.Protocol.Refused);
    end Test_Hold;
 
    procedure Test_Arena is
@@ -115,8 +115,8 @@ procedure Outbox_Tests is
          Fill ("CIMG:arena");
          Monitor.Outbox.Answer_With_Image (Item, Made_Here);
          Assert (not Item.Owed, "answered");
-         Check (Monitor.Send_Order.Answer, "CIMG:arena");
-         Check (Monitor.Send_Order.Image, "CIMG:periodic");
+         Check (Monitor.Mailboxes.Answer, "CIMG:arena");
+         Check (Image, "CIMG:periodic");
       end loop;
    end Test_Arena;
 
@@ -139,14 +139,14 @@ procedure Outbox_Tests is
 
    procedure Test_Mission is
 
-      procedure Check_Line (Text : String) is
+      procedure Check_Line (Kind : Monitor.Mailboxes.Choice; Text : String) is
          --  The next message
          Next : Monitor.Mailboxes.Item;
-         Gap  : Monitor.Send_Order.Milliseconds;
       begin
          Monitor.Outbox.Wait (Hold_End);
-         Monitor.Outbox.Take (20, Time_First, Next, Sent_Here, Gap, Hold_End);
-         Assert (Next.Kind = Mission, Next.Kind'Image & " taken");
+         Monitor.Outbox.Take (20, Time_First, Next, Sent_Here);
+         Hold_End := Next.Hold_End;
+         Assert (Next.Kind = Kind, Next.Kind'Image & " taken");
          Assert (Next.Line.Data (1 .. Next.Line.Length)
                  = Text & Monitor.Protocol.Line_Feed,
                  Next.Line.Data (1 .. Next.Line.Length));
@@ -174,14 +174,14 @@ procedure Outbox_Tests is
       Begin_Anew;
       Monitor.Outbox.Reserve (Item);
       Monitor.Outbox.Answer (Item, Acknowledged);
-      Check (Monitor.Send_Order.Answer);
+      Check (Monitor.Mailboxes.Answer);
       Put (Monitor.Mailboxes.Progress, "MPRG:2;5;310");
-      Check_Line ("MPRG:2;5;310");
+      Check_Line (Progress, "MPRG:2;5;310");
       Check_Waits (False);
       Put (Monitor.Mailboxes.Progress, "MPRG:5;5;12");
       Put (Monitor.Mailboxes.Ending, "MEND:done");
       Check_Waits (True);
-      Check_Line ("MEND:done");
+      Check_Line (Ending, "MEND:done");
       Check_Waits (False);
       Check (Nothing);
 

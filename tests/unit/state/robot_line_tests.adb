@@ -5,7 +5,6 @@ with AUnit.Assertions; use AUnit.Assertions;
 
 with Ada.Real_Time;    use Ada.Real_Time;
 with Commands;         use Commands;
-with Orders;           use Orders;
 with Robot.Line;
 with Robot.Line_Status;
 with Robot.Requests;   use Robot.Requests;
@@ -17,7 +16,8 @@ package body Robot_Line_Tests is
 
    procedure Put (Name : Robot_Command; Number : Ticket) is
       --  The monitor's order
-      Order : Orders.Order := (Number, (Name, 0), Owed => True, others => <>);
+      Order : Commands.Order :=
+        (Number, (Name, 0), Owed => True, others => <>);
    begin
       Robot.Line.Put (Order);
    end Put;

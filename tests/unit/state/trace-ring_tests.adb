@@ -2,7 +2,7 @@
 --  The ring of a trace: the newest events, and none that is mixed from two.
 
 with Ada.Directories;
-with Ada.Real_Time;
+with Ada.Real_Time;    use Ada.Real_Time;
 with Interfaces;       use Interfaces;
 
 with AUnit.Assertions; use AUnit.Assertions;
@@ -16,13 +16,14 @@ with Unit_Runs;        use Unit_Runs;
 
 procedure Trace.Ring_Tests is
 
+   use type Commands.Ticket;
    use type Trace_Files.Nanoseconds;
 
-   function Marked (Value : Unsigned_64) return Event is
-     (At_Time => Value,
-      Number  => not Value,
+   function Marked (Value : Commands.Ticket) return Event is
+     (At_Time => Time_Of (Seconds_Count (Value mod 2 ** 32), Time_Span_Zero),
+      Number  => Value,
       Who     => Task_Name'Val (Value mod 17),
-      Kind    => Event_Kind'Val (Value mod 12),
+      Kind    => Event_Kind'Val (Value mod 10),
       Label   => (others => Character'Val (Value mod 251)));
    --  All of it depends on Value
 
@@ -37,20 +38,21 @@ procedure Trace.Ring_Tests is
    begin
       Trace.Open (Texts.To_Text (Path), Success, Reason);
       Assert (Success, Texts.Image (Reason));
-      Trace.Release (Th_Move, 5);
+      Trace.Put (Trace.Release, Th_Move, 5);
       for I in 4 .. Capacity + More - 1 loop
          --  what lasts past the first events that are kept, begins in those
          --  that are not
          if I mod 3 = 0 then
-            Trace.Start (Th_Move);
+            Trace.Put (Trace.Start, Th_Move);
          elsif I mod 3 = 1 then
-            Trace.Wait (Th_Move, Trace.Line);
+            Trace.Put (Trace.Wait, Th_Move, Label => Trace.Line);
          else
-            Trace.Done (Th_Move);
+            Trace.Put (Trace.Done, Th_Move);
          end if;
       end loop;
-      Trace.Resume (Th_Move, Ada.Real_Time.Time_First);
-      Trace.Sent ("AACK");
+      Trace.Put_Due (Th_Move, Time_First);
+      Trace.Put (Trace.Resume, Th_Move);
+      Trace.Put (Trace.Sent, Th_Send_To_Mon, Label => "AACK  ");
       Trace.Finish (Success, Reason);
       --  with contracts on and other load it may be too slow
       Assert (Success or else Texts.Image (Reason) = "it takes too long",
@@ -72,7 +74,7 @@ procedure Trace.Ring_Tests is
       Assert (Sent = (if Success then 1 else 0), "the newest is missing");
       Programs.Remove_Temporary_Folder;
       --  it is over
-      Trace.Start (Th_Move);
+      Trace.Put (Trace.Start, Th_Move);
       Trace.Finish (Success, Reason);
       Assert (Success and then not Ada.Directories.Exists (Path), "again");
    end Test_File;
@@ -87,18 +89,20 @@ procedure Trace.Ring_Tests is
       Get (0, Item, Found);
       Assert (not Found, "an event in an empty ring");
       for Number in Event_Number range 0 .. Capacity + Past - 1 loop
-         Put (Marked (100 + Number));
+         Ring.Put (Marked (100 + Commands.Ticket (Number)));
          Get_Count (Count);
          Assert (Count = Number + 1, "count" & Count'Image);
          Get (Number, Item, Found);
-         Assert (Found and then Item = Marked (100 + Number), "the newest");
+         Assert (Found and then Item = Marked (100 + Commands.Ticket (Number)),
+                 "the newest");
          Get (Number + 1, Item, Found);
          Assert (not Found, "one that has not come");
       end loop;
       for Number in Event_Number range 0 .. Capacity + Past - 1 loop
          Get (Number, Item, Found);
          Assert (Found = (Number >= Past)
-                 and then (not Found or else Item = Marked (100 + Number)),
+                 and then (not Found or else
+                             Item = Marked (100 + Commands.Ticket (Number))),
                  "event" & Number'Image);
       end loop;
    end Test_Round;
@@ -119,7 +123,7 @@ procedure Trace.Ring_Tests is
          Get (Number, Item, Found);
          if Found then
             Seen := Seen + 1;
-            Assert (Item = Marked (Item.At_Time), "mixed");
+            Assert (Item = Marked (Item.Number), "mixed");
          end if;
       end Look;
 
@@ -132,7 +136,9 @@ procedure Trace.Ring_Tests is
             task body Writer is
             begin
                for I in Unsigned_64 range 1 .. Each loop
-                  Put (Marked (Unsigned_64 (Number) * 2 ** 32 + I));
+                  Ring.Put
+                    (Marked (Commands.Ticket (Number) * 2 ** 32
+                             + Commands.Ticket (I)));
                end loop;
             end Writer;
 

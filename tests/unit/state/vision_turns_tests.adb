@@ -4,7 +4,6 @@
 with AUnit.Assertions; use AUnit.Assertions;
 
 with Commands;         use Commands;
-with Orders;           use Orders;
 with Vision.Turns;
 with Unit_Runs; use Unit_Runs;
 

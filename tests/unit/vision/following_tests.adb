@@ -10,7 +10,7 @@ with Pictures;
 with Scenes;
 with Vision.Following;
 with Vision.Library; use Vision.Library;
-with Vision.Shapes;  use Vision.Shapes;
+with Vision; use Vision;
 with Unit_Runs; use Unit_Runs;
 
 procedure Following_Tests is

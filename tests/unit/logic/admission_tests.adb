@@ -3,11 +3,11 @@
 
 with AUnit.Assertions;         use AUnit.Assertions;
 
-with Admission.Authentication; use Admission.Authentication;
+with Admission; use Admission;
 with Texts;
 with Unit_Runs; use Unit_Runs;
 
-procedure Authentication_Tests is
+procedure Admission_Tests is
 
    LF : constant Character := ASCII.LF;
    CR : constant Character := ASCII.CR;
@@ -160,4 +160,4 @@ begin
    Run_Test ("wrong lines", Test_Wrong'Access);
    Run_Test ("a line without end", Test_Too_Long'Access);
    Run_Test ("what the log shows", Test_Shown'Access);
-end Authentication_Tests;
+end Admission_Tests;

@@ -2,11 +2,9 @@
 
 with AUnit.Assertions; use AUnit.Assertions;
 
-with Options;
-with Processor_Sets;   use Processor_Sets;
-with Unit_Runs; use Unit_Runs;
+with Unit_Runs;        use Unit_Runs;
 
-procedure Processor_Sets_Tests is
+procedure Process.Threads.Set_Tests is
 
    None : constant Set := (others => False);
    Four : constant Set := (0 .. 3 => True, others => False);
@@ -15,15 +13,9 @@ procedure Processor_Sets_Tests is
 
    procedure Test_Choice is
    begin
-      Assert (Chosen (Four, Options.Last_Processor) = 3, "the last of four");
-      Assert (Chosen (Gaps, Options.Last_Processor) = 1_023, "the last");
-      Assert (Chosen (None, Options.Last_Processor) = 0, "none is known");
-      Assert (Chosen (Four, 7) = 7, "a number");
-      Assert (Chosen (Four, Options.No_Processor) = Options.No_Processor,
-              "no choice");
-      Assert (May_Have (Four, 3) and then not May_Have (Four, 4)
-              and then not May_Have (None, 0), "those allowed");
-      Assert (May_Have (None, Options.No_Processor), "no choice is allowed");
+      Assert (Last_Of (Four) = 3, "the last of four");
+      Assert (Last_Of (Gaps) = 1_023, "the last");
+      Assert (Last_Of (None) = 0, "none is known");
       Assert (Is_Alone (One) and then not Is_Alone (Four)
               and then not Is_Alone (None), "one alone");
    end Test_Choice;
@@ -46,4 +38,4 @@ procedure Processor_Sets_Tests is
 begin
    Run_Test ("the one that is meant", Test_Choice'Access);
    Run_Test ("who has which", Test_Division'Access);
-end Processor_Sets_Tests;
+end Process.Threads.Set_Tests;

@@ -3,7 +3,7 @@
 with Ada.Characters.Handling;
 with Ada.Strings.Fixed;
 
-package body Admission.Authentication with SPARK_Mode is
+package body Admission with SPARK_Mode is
 
    procedure Read_Token (Text : String; T : out Token) is
       Last : Natural := 0;
@@ -54,4 +54,4 @@ package body Admission.Authentication with SPARK_Mode is
       Texts.Append (To, (if Place = 0 then "" else "..."));
    end Append_Shown;
 
-end Admission.Authentication;
+end Admission;

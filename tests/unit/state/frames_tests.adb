@@ -6,74 +6,76 @@ with Ada.Real_Time;    use Ada.Real_Time;
 with AUnit.Assertions; use AUnit.Assertions;
 
 with Schedule;
-with Vision.Frame_Slots;
-with Vision.Frame_Store;
+with Vision.Frames;
 with Vision.Image_Grid;
 with Unit_Runs; use Unit_Runs;
 
-procedure Frame_Store_Tests is
+procedure Frames_Tests is
 
-   use type Vision.Frame_Slots.Slot;
+   use type Vision.Slot;
    use type Vision.Image_Grid.Microseconds;
 
    Period : constant := 100_000;
 
+   Coming : Boolean;
+   --  Newer images will come
+
    procedure Begin_Anew is
       --  A camera has been opened.
    begin
-      for Slot in Vision.Frame_Slots.Slot loop
-         Vision.Frame_Store.Store.Release (Slot);
+      for Slot in Vision.Slot loop
+         Vision.Frames.Store.Release (Slot);
       end loop;
-      Vision.Frame_Store.Store.Begin_Delivery (Clock);
+      Vision.Frames.Store.Begin_Delivery (Clock);
    end Begin_Anew;
 
-   procedure Check_Newest (Expected : Vision.Frame_Slots.Slot) is
+   procedure Check_Newest (Expected : Vision.Slot) is
       --  Expected holds the newest image; it is released again.
-      Taken : Vision.Frame_Slots.Slot;
+      Taken : Vision.Slot;
       Found : Boolean;
    begin
-      Vision.Frame_Store.Store.Claim_Newest (Taken, Found);
+      Vision.Frames.Store.Claim_Newest (Taken, Found, Coming);
       Assert (Found, "an image waits");
       Assert (Taken = Expected,
               Expected'Image & " expected, not" & Taken'Image);
-      Vision.Frame_Store.Store.Release (Taken);
+      Vision.Frames.Store.Release (Taken);
    end Check_Newest;
 
    procedure Check_None is
       --  No image waits.
-      Taken : Vision.Frame_Slots.Slot;
+      Taken : Vision.Slot;
       Found : Boolean;
    begin
-      Vision.Frame_Store.Store.Claim_Newest (Taken, Found);
+      Vision.Frames.Store.Claim_Newest (Taken, Found, Coming);
       Assert (not Found, "no image expected, not" & Taken'Image);
    end Check_None;
 
    procedure Claim_Due
      (Now     : Time;
-      Slot    : out Vision.Frame_Slots.Slot;
+      Slot    : out Vision.Slot;
       At_Time : out Time;
       Reserve : out Boolean)
    is
       --  What is sent at Now; it is released again
-      Found, Coming : Boolean;
+      Found : Boolean;
    begin
-      Vision.Frame_Store.Store.Claim_Due
+      Vision.Frames.Store.Claim_Due
         (Now, Period, Slot, At_Time, Reserve, Found, Coming);
       Assert (Found and then Coming, "an image is due");
-      Vision.Frame_Store.Store.Release (Slot);
+      Vision.Frames.Store.Release (Slot);
    end Claim_Due;
 
-   procedure Put (At_Time : Time; Slot : out Vision.Frame_Slots.Slot) is
+   procedure Put (At_Time : Time; Slot : out Vision.Slot) is
       --  An image comes
    begin
-      Vision.Frame_Store.Store.Claim_Empty (Slot);
-      Vision.Frame_Store.Publish (Slot, At_Time);
+      Vision.Frames.Store.Claim_Empty (Slot);
+      Vision.Frames.Publish (Slot, At_Time);
    end Put;
 
    procedure Test_Always_Free is
-      type Slot_Set is array (Vision.Frame_Slots.Slot) of Boolean;
+      type Slot_Set is array (Vision.Slot) of Boolean;
       Held  : Slot_Set := (others => False);
-      Slot  : Vision.Frame_Slots.Slot;
+      Slot  : Vision.Slot;
       Found : Boolean;
    begin
       Begin_Anew;
@@ -81,43 +83,43 @@ procedure Frame_Store_Tests is
       --  two readers hold one each, one is the newest
 
       for Reader in 1 .. 2 loop
-         Vision.Frame_Store.Store.Claim_Empty (Slot);
+         Vision.Frames.Store.Claim_Empty (Slot);
          Assert (not Held (Slot), "free");
-         Vision.Frame_Store.Publish (Slot, Clock);
-         Vision.Frame_Store.Store.Claim_Newest (Slot, Found);
+         Vision.Frames.Publish (Slot, Clock);
+         Vision.Frames.Store.Claim_Newest (Slot, Found, Coming);
          Assert (Found, "for reader" & Reader'Image);
          Held (Slot) := True;
       end loop;
-      Vision.Frame_Store.Store.Claim_Empty (Slot);
+      Vision.Frames.Store.Claim_Empty (Slot);
       Assert (not Held (Slot), "one for the newest");
-      Vision.Frame_Store.Publish (Slot, Clock);
+      Vision.Frames.Publish (Slot, Clock);
       Held (Slot) := True;
-      Vision.Frame_Store.Store.Claim_Empty (Slot);
+      Vision.Frames.Store.Claim_Empty (Slot);
       Assert (not Held (Slot), "one for the image after it");
-      Vision.Frame_Store.Publish (Slot, Clock);
+      Vision.Frames.Publish (Slot, Clock);
       Held (Slot) := True;
 
       --  and the owner claims the others
 
       for I in 5 .. Held'Length loop
-         Vision.Frame_Store.Store.Claim_Empty (Slot);
+         Vision.Frames.Store.Claim_Empty (Slot);
          Assert (not Held (Slot), "slot" & I'Image & " of all");
          Held (Slot) := True;
       end loop;
       Assert (Held = (Held'Range => True), "all slots are in use");
-      Vision.Frame_Store.Store.Claim_Newest (Slot, Found);
+      Vision.Frames.Store.Claim_Newest (Slot, Found, Coming);
       Assert (Found, "the newest waits still");
    end Test_Always_Free;
 
    procedure Test_End is
-      Slot  : Vision.Frame_Slots.Slot;
+      Slot  : Vision.Slot;
       Found : Boolean;
    begin
       Begin_Anew;
       Put (Clock, Slot);
-      Vision.Frame_Store.End_Delivery;
+      Vision.Frames.End_Delivery;
       Check_None;
-      Vision.Frame_Store.Wait_Newest (Slot, Found);
+      Vision.Frames.Wait_Newest (Slot, Found);
       Assert (not Found, "nobody waits for what does not come");
 
       --  an image that the owner was just taking is too late
@@ -127,27 +129,27 @@ procedure Frame_Store_Tests is
 
       --  and a camera that is opened again begins with nothing
 
-      Vision.Frame_Store.Store.Begin_Delivery (Clock);
+      Vision.Frames.Store.Begin_Delivery (Clock);
       Check_None;
       Put (Clock, Slot);
-      Vision.Frame_Store.Wait_Newest (Slot, Found);
+      Vision.Frames.Wait_Newest (Slot, Found);
       Assert (Found, "the first image of the new delivery");
-      Vision.Frame_Store.Store.Release (Slot);
+      Vision.Frames.Store.Release (Slot);
    end Test_End;
 
    procedure Test_In_Turn is
-      Held, Slot, Last : Vision.Frame_Slots.Slot;
+      Held, Slot, Last : Vision.Slot;
 
       function Next
-        (After : Vision.Frame_Slots.Slot) return Vision.Frame_Slots.Slot is
-        (if After = Vision.Frame_Slots.Slot'Last
-         then Vision.Frame_Slots.Slot'First
+        (After : Vision.Slot) return Vision.Slot is
+        (if After = Vision.Slot'Last
+         then Vision.Slot'First
          else After + 1);
    begin
       Begin_Anew;
-      Vision.Frame_Store.Store.Claim_Empty (Held);
+      Vision.Frames.Store.Claim_Empty (Held);
       Last := Held;
-      for Image in 1 .. 3 * Vision.Frame_Slots.Slot'Range_Length loop
+      for Image in 1 .. 3 * Vision.Slot'Range_Length loop
          Put (Clock, Slot);
          Last := Next (Last);
          if Last = Held then
@@ -171,8 +173,8 @@ procedure Frame_Store_Tests is
 
    procedure Test_Reserve is
       Begun                : constant Time := Clock;
-      First, Second, Third : Vision.Frame_Slots.Slot;
-      Slot                 : Vision.Frame_Slots.Slot;
+      First, Second, Third : Vision.Slot;
+      Slot                 : Vision.Slot;
       At_Time              : Time;
       Reserve              : Boolean;
    begin
@@ -223,16 +225,15 @@ procedure Frame_Store_Tests is
 
    procedure Test_Wait is
       Begun   : constant Time := Clock;
-      Slot    : Vision.Frame_Slots.Slot;
+      Slot    : Vision.Slot;
       At_Time : Time;
       Reserve : Boolean;
       Found   : Boolean;
-      Coming  : Boolean;
 
       procedure Begin_Wait (Expected : Boolean) is
          --  Nothing is due; Expected: something is still to come
       begin
-         Vision.Frame_Store.Store.Claim_Due
+         Vision.Frames.Store.Claim_Due
            (Begun, Period, Slot, At_Time, Reserve, Found, Coming);
          Assert (not Found, "nothing is due");
          Assert (Coming = Expected, "coming: " & Coming'Image);
@@ -242,46 +243,46 @@ procedure Frame_Store_Tests is
       --  each Wait_Look returns, or the test does not end
 
       Begin_Anew;
-      Vision.Frame_Store.Store.Begin_Delivery (Begun);
+      Vision.Frames.Store.Begin_Delivery (Begun);
       Begin_Wait (Expected => True);
       Put (Begun, Slot);
-      Vision.Frame_Store.Wait_Look;
+      Vision.Frames.Wait_Look;
       Claim_Due (Begun, Slot, At_Time, Reserve);
 
       Begin_Wait (Expected => True);
-      Vision.Frame_Store.Look_At_Silence (Begun + Milliseconds (2_000));
-      Vision.Frame_Store.Look_At_Silence (Begun + Milliseconds (2_600));
-      Vision.Frame_Store.Wait_Look;
+      Vision.Frames.Look_At_Silence (Begun + Milliseconds (2_000));
+      Vision.Frames.Look_At_Silence (Begun + Milliseconds (2_600));
+      Vision.Frames.Wait_Look;
 
       Begin_Wait (Expected => True);
-      Vision.Frame_Store.End_Delivery;
-      Vision.Frame_Store.Wait_Look;
+      Vision.Frames.End_Delivery;
+      Vision.Frames.Wait_Look;
       Begin_Wait (Expected => False);
    end Test_Wait;
 
    procedure Test_Times is
       Begun : constant Time := Clock;
       Later : constant Time := Begun + Milliseconds (40);
-      Slot  : Vision.Frame_Slots.Slot;
+      Slot  : Vision.Slot;
 
       procedure Check (From : Time; What : String) is
          --  The time of silence counts from From
          Silent : Boolean;
       begin
-         Vision.Frame_Store.Store.Get_Silent
+         Vision.Frames.Store.Get_Silent
            (From + Schedule.Camera_Silence, Silent);
          Assert (not Silent, What & ": too early");
-         Vision.Frame_Store.Store.Get_Silent
+         Vision.Frames.Store.Get_Silent
            (From + Schedule.Camera_Silence + Milliseconds (1), Silent);
          Assert (Silent, What & ": too late");
       end Check;
    begin
       Begin_Anew;
-      Vision.Frame_Store.Store.Begin_Delivery (Begun);
+      Vision.Frames.Store.Begin_Delivery (Begun);
       Check (Begun, "the beginning");
       Put (Later, Slot);
       Check (Later, "the image");
-      Vision.Frame_Store.End_Delivery;
+      Vision.Frames.End_Delivery;
       Put (Later + Milliseconds (40), Slot);
       Check (Later, "none that is too late");
    end Test_Times;
@@ -296,4 +297,4 @@ begin
    Run_Test ("who waits for an image is told of what ends it",
              Test_Wait'Access);
    Run_Test ("times between images", Test_Elapsed'Access);
-end Frame_Store_Tests;
+end Frames_Tests;

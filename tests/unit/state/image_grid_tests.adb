@@ -3,10 +3,11 @@
 
 with Ada.Containers.Vectors;
 with Ada.Numerics.Float_Random; use Ada.Numerics.Float_Random;
+with Ada.Real_Time;             use Ada.Real_Time;
 
 with AUnit.Assertions;          use AUnit.Assertions;
 
-with Vision.Frame_Slots;
+with Vision.Frames;             use Vision.Frames;
 with Vision.Image_Grid;         use Vision.Image_Grid;
 with Unit_Runs; use Unit_Runs;
 
@@ -58,25 +59,25 @@ procedure Image_Grid_Tests is
       --  th_captureImg does, a task that wakes up to 1 ms late
 
       type Arrival is record
-         Time   : Long_Float := 0.0;
+         Since  : Long_Float := 0.0;
          Number : Natural    := 0;
       end record;
 
       Random  : Generator;
-      In_Slot : array (Vision.Frame_Slots.Slot) of Arrival;
-      Newest  : Arrival;
-      Older   : Arrival;
-      Uses    : Vision.Frame_Slots.State;
+      In_Slot : array (Vision.Slot) of Arrival;
+      Begun   : constant Time := Clock;
       Nominal : Long_Float := Phase;
       Coming  : Arrival := (-1_000.0, 0);
       Sent    : Arrival;
       Grid    : Vision.Image_Grid.State := Initial;
       Next    : Long_Float := 0.0;
       Now     : Long_Float;
-      Slot    : Vision.Frame_Slots.Slot;
+      Slot    : Vision.Slot;
       Found   : Boolean;
+      Ignored : Boolean;
       Reserve : Boolean;
-      Step    : Microseconds;
+      Came    : Time;
+      Step    : Vision.Image_Grid.Microseconds;
       First   : Long_Float := 0.0;
       Last    : Long_Float := 0.0;
       Between : Times.Vector;
@@ -84,15 +85,15 @@ procedure Image_Grid_Tests is
       function Chance return Long_Float is
         (Long_Float (Float'(Ada.Numerics.Float_Random.Random (Random))));
 
-      function Age (Item : Arrival) return Microseconds is
-        (Microseconds (1_000.0 * Long_Float'Max (0.0, Now - Item.Time)));
+      function To_Time (Since : Long_Float) return Time is
+        (Begun + Ada.Real_Time.Microseconds (Integer (1_000.0 * Since)));
 
       procedure Prepare is
          --  When the next image is to come
       begin
          Coming :=
-           (Time   => Long_Float'Max
-              (Coming.Time + 0.1,
+           (Since  => Long_Float'Max
+              (Coming.Since + 0.1,
                Nominal + From.Jitter * (2.0 * Chance - 1.0)),
             Number => Coming.Number + 1);
          Nominal := Nominal + 1_000.0
@@ -103,39 +104,39 @@ procedure Image_Grid_Tests is
       procedure Come is
          --  It comes
       begin
-         Vision.Frame_Slots.Claim_Empty (Uses, Slot);
+         Store.Claim_Empty (Slot);
          In_Slot (Slot) := Coming;
-         Vision.Frame_Slots.Publish (Uses, Slot);
-         Older := Newest;
-         Newest := Coming;
+         Publish (Slot, To_Time (Coming.Since));
          Prepare;
       end Come;
+
+      procedure Claim is
+         --  What is to be sent
+      begin
+         Store.Claim_Due
+           (To_Time (Now), Period, Slot, Came, Reserve, Found, Ignored);
+      end Claim;
 
    begin
       Reset (Random, 7);
       Result := (others => <>);
-      Vision.Frame_Slots.Begin_Delivery (Uses);
+      Store.Begin_Delivery (Begun);
       Prepare;
       loop
          Now := Next + Chance;
-         while Coming.Time <= Now loop
+         while Coming.Since <= Now loop
             Come;
          end loop;
-         if not Vision.Frame_Slots.Has_Newest (Uses) then
-            Now := Coming.Time;
-            Wait_Ended (Grid, Microseconds (1_000.0 * (Now - Next)), Period);
+         Claim;
+         if not Found then
+            Now := Coming.Since;
+            Wait_Ended (Grid, Elapsed (To_Time (Next), To_Time (Now)), Period);
             Next := Now;
             Come;
+            Claim;
          end if;
+         Assert (Found, "an image");
          exit when Now > Length;
-         Reserve := Vision.Frame_Slots.Has_Older (Uses)
-           and then Sends_Older (Age (Newest), Age (Older), Period);
-         if Reserve then
-            Vision.Frame_Slots.Claim_Older (Uses, Slot);
-         else
-            Vision.Frame_Slots.Claim_Newest (Uses, Slot, Found);
-            Assert (Found, "an image");
-         end if;
          Assert (In_Slot (Slot).Number > Sent.Number, "sent twice");
          if Now > Settled then
             if Result.Sent = 0 then
@@ -147,14 +148,16 @@ procedure Image_Grid_Tests is
             end if;
             Result.Sent := Result.Sent + 1;
             Result.Oldest :=
-              Long_Float'Max (Result.Oldest, Now - In_Slot (Slot).Time);
+              Long_Float'Max (Result.Oldest, Now - In_Slot (Slot).Since);
             Last := Now;
          end if;
          Sent := In_Slot (Slot);
-         Vision.Image_Grid.Step (Grid, Age (Sent), Reserve, Period, Step);
+         Vision.Image_Grid.Step
+           (Grid, Elapsed (Came, To_Time (Now)), Reserve, Period, Step);
          Next := Next + Long_Float (Step) / 1_000.0;
-         Vision.Frame_Slots.Release (Uses, Slot);
+         Store.Release (Slot);
       end loop;
+      Store.Release (Slot);
       Result.Mean_Rate :=
         1_000.0 * Long_Float (Result.Sent - 1) / (Last - First);
       for Item of Between loop
@@ -241,7 +244,7 @@ procedure Image_Grid_Tests is
 
    procedure Test_Step is
       Grid   : Vision.Image_Grid.State := Initial;
-      Length : Microseconds;
+      Length : Vision.Image_Grid.Microseconds;
    begin
       Wait_Ended (Grid, 15_000, Period);
       Assert (Lost (Grid) = 0, "the wait for the first image");
@@ -259,7 +262,7 @@ procedure Image_Grid_Tests is
       Step (Grid, 99_000, True, Period, Length);
       Assert (Length = Period, "all has been made up for");
 
-      Wait_Ended (Grid, Microseconds'Last, Period);
+      Wait_Ended (Grid, Vision.Image_Grid.Microseconds'Last, Period);
       Assert (Lost (Grid) = Most_Lost (Period), "so much at most");
       for Image in 1 .. Enough_Early - 1 loop
          Step (Grid, 20_000, False, Period, Length);
