@@ -42,10 +42,16 @@ package body Monitor.Mailboxes with SPARK_Mode is
      Post => Is_Answered (B, B'Old, Number, Item)
        and then B.Arena = B'Old.Arena
    is
+      Before : constant Mailbox := B with Ghost;
    begin
       if Is_Awaited (B, Number) then
          Answer_Queues.Replace
            (B.Answers, Pending (B) + 1 - Age_Of (B, Number), Item);
+         pragma Assert
+           (for all Old in 1 .. Pending (B) =>
+              At_Age (B.Answers, Old) =
+                (if Old = Age_Of (Before, Number) then Item
+                 else At_Age (Before.Answers, Old)));
          Skip_Nothing (B.Answers);
       end if;
    end Put;

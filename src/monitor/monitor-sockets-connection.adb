@@ -124,7 +124,7 @@ is
          pragma Loop_Invariant (Done < Length);
          Monitor.Sockets.Send
            (To, Send_Flags,
-            Data (Data'First + Done .. Data'First + (Length - 1)),
+            Data (Done + 1 .. Length),
             Put, Error);
          if Put > 0 then
             Done := Done + Put;

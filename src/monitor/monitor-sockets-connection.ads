@@ -31,7 +31,10 @@ is
       Unsent  : in out Boolean;
       Success : out Boolean)
    with
-     Pre  => Unsent and then Length <= Data'Length,
+     Pre  => Unsent
+       and then Length <= Data'Length
+       and then Data'First = 1
+       and then Data'Last >= 4,
      Post => not Unsent;
    --  Sends the first Length characters as a whole; waits while the connection
    --  accepts nothing. Fails when the connection has ended. Unsent marks

@@ -81,7 +81,7 @@ package body Monitor.Tasks with SPARK_Mode is
    procedure Ask_For_Mission (Line : String; Order : in out Commands.Order)
    with
      Pre  => Line'First = 1
-       and then Line'Last <= Max_Line
+       and then Line'Last in Text_Offset .. Max_Line
        and then Order.Owed
        and then Order.Command.Name in Mission_Command,
      Post => not Order.Owed
