@@ -235,7 +235,8 @@ package body Missions.Runs.Aims with SPARK_Mode is
 
    procedure Decide (R : in out Run; Now : Microseconds; Next : out Action)
    is
-      Left : Micrometres := Way (R.Mean, Target (R));
+      Before : constant Run := R with Ghost;
+      Left   : Micrometres := Way (R.Mean, Target (R));
    begin
       Next := (others => <>);
       if R.Phase = Looking then
@@ -264,6 +265,7 @@ package body Missions.Runs.Aims with SPARK_Mode is
                Learn (R.Known, R.Made, R.Mean);
             end if;
          end if;
+         pragma Assert (Is_Kept (R, Before));
          R.Made.Turned    := 0;
          R.Made.Driven    := 0;
          R.Learnable := True;
@@ -289,7 +291,9 @@ package body Missions.Runs.Aims with SPARK_Mode is
          end if;
       end if;
 
+      pragma Assert (Is_Kept (R, Before));
       Aim (R, Target (R), Next);
+      pragma Assert (Orders_Left (R) <= Orders_Left (Before));
       if Next.Kind = Nothing then
          Aim (R,
               (X       => Near (R.Size.Width) * 5_000,
