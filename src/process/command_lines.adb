@@ -97,7 +97,11 @@ package body Command_Lines with SPARK_Mode is
       with Pre => Part'Length <= Texts.Max_Length and then Text'Length <= 100
       is
       begin
-         Texts.Set (Why, Name & ": '" & Part & "'" & Text);
+         Texts.Set (Why, Name);
+         Texts.Append (Why, ": '");
+         Texts.Append (Why, Part);
+         Texts.Append (Why, "'");
+         Texts.Append (Why, Text);
       end Refuse;
 
       procedure Read
@@ -131,6 +135,9 @@ package body Command_Lines with SPARK_Mode is
       procedure Read_Size
         (Width, Height : in out Natural; First, Last : Natural)
       with
+        Pre  => Value'Length <= Texts.Max_Length
+          and then Value'First > 0
+          and then Value'Last < Integer'Last,
         Post => (Width in First .. Last or else Width = Width'Old)
           and then (Height in First .. Last or else Height = Height'Old)
       is
@@ -283,7 +290,7 @@ package body Command_Lines with SPARK_Mode is
    procedure Take (R : in out Reading; Argument : String) is
       Is_Name : constant Boolean :=
         Argument'Length > 2 and then Argument (1 .. 2) = "--";
-      Equals  : Positive := Argument'Last + 1;
+      Equals  : Positive := Argument'Length + 1;
    begin
       if R.Request in Settled_Kind then
          null;

@@ -196,14 +196,15 @@ is
    procedure Send_Stop
      (Path : Texts.Text; Sent : out Boolean; Report : out Texts.Text)
    is
-      Reason   : Texts.Text;
-      Length   : Robot.Protocol.Frame_Length;
-      All_Sent : Boolean;
+      Reason         : Texts.Text;
+      Ignored_Length : Robot.Protocol.Frame_Length;
+      All_Sent       : Boolean;
    begin
       Open (Path, Sent, Reason);
       if Sent then
          Write
-           (Robot.Protocol.Stop, Robot.Session.Not_Started, Length, Sent);
+           (Robot.Protocol.Stop, Robot.Session.Not_Started, Ignored_Length,
+            Sent);
          Close (All_Sent);
          Sent := Sent and All_Sent;
          Texts.Set (Reason, "it takes nothing");
@@ -257,11 +258,12 @@ is
    end Get_Use;
 
    procedure Stop_Blindly is
-      Length  : Robot.Protocol.Frame_Length;
-      Success : Boolean;
+      Ignored_Length : Robot.Protocol.Frame_Length;
+      Ignored        : Boolean;
    begin
       Write
-        (Robot.Protocol.Stop, Robot.Session.Not_Started, Length, Success);
+        (Robot.Protocol.Stop, Robot.Session.Not_Started, Ignored_Length,
+         Ignored);
       Trace.Put
         (Trace.Ordered, Schedule.Th_Stop,
          Label => Robot.Protocol.Letter (Robot.Protocol.Stop.Kind)

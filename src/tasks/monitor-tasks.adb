@@ -81,7 +81,7 @@ package body Monitor.Tasks with SPARK_Mode is
    procedure Ask_For_Mission (Line : String; Order : in out Commands.Order)
    with
      Pre  => Line'First = 1
-       and then Line'Last in Text_Offset .. Max_Line
+       and then Line'Last <= Max_Line
        and then Order.Owed
        and then Order.Command.Name in Mission_Command,
      Post => not Order.Owed
@@ -92,11 +92,13 @@ package body Monitor.Tasks with SPARK_Mode is
       Path  : Missions.Path;
       Valid : Boolean;
    begin
-      Monitor.Paths.Parse
-        (Line, Line'First + Text_Offset, Measure (Name), Most_Points (Name),
-         Path, Valid);
-      if Valid then
-         Missions.Requests.Put (Order, Path);
+      if Has_Data (Line) then
+         Monitor.Paths.Parse
+           (Line, Line'First + Text_Offset, Measure (Name),
+            Most_Points (Name), Path, Valid);
+         if Valid then
+            Missions.Requests.Put (Order, Path);
+         end if;
       end if;
       if Order.Owed then
          Monitor.Outbox.Answer (Order, Monitor.Protocol.Refused);
