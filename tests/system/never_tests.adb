@@ -215,6 +215,8 @@ procedure Never_Tests is
       end loop;
       --  what a line that has been closed meanwhile has not delivered
       R.Emulator.Tell ("garbage 0");
+      --  which has heard that once it answers
+      R.Emulator.Await_Status ("moving", "0");
       R.Monitor.Expect ("RCLS", "AACK");
       Expect_Alive (R);
    end Garbage_From_Robot;
