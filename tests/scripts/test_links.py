@@ -1,8 +1,9 @@
 #  SPDX-License-Identifier: GPL-3.0-or-later
-"""Every link of the documentation leads somewhere, with its anchor; and every test
-that docs/security.md names is there."""
+"""Every link of the documentation leads somewhere, with its anchor; every operation of
+a unit and every test of docs/security.md that it names is there."""
 
 import re
+from collections import defaultdict
 from pathlib import Path
 
 import pytest
@@ -41,6 +42,23 @@ def test_links(file: Path) -> None:
         ):
             dead.append(link)
     assert not dead
+
+
+def test_names() -> None:
+    units: dict[str, set[str]] = defaultdict(set)
+    for path in [*ROOT.glob("src/*/*.ad[sb]"), *ROOT.glob("proofs/*.ad[sb]")]:
+        code = re.sub("--.*", "", path.read_text("utf-8")).lower()
+        units[path.stem.replace("-", ".")].update(re.findall(r"\w+", code))
+    unknown = []
+    for file in FILES:
+        for name in re.findall(r"\b[A-Z]\w*(?:\.[A-Z]\w*)+", file.read_text("utf-8")):
+            unit, inside = name.lower(), set[str]()
+            while unit and unit not in units:
+                unit, _, last = unit.rpartition(".")
+                inside.add(last)
+            if unit and not inside <= units[unit]:
+                unknown.append(f"{file.name}: {name}")
+    assert not unknown
 
 
 def test_tests_of_security() -> None:
