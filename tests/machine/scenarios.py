@@ -444,13 +444,16 @@ def read_only(machine: Machine) -> None:
 
 @emulated("a getty on the line, a console")
 def getty(machine: Machine) -> None:
-    unit = "serial-getty@" + machine.kind.line
-    for line, begin, fact in (
-        (machine.line, f"systemctl start {unit}", "has it as its terminal"),
+    tty = machine.kind.line
+    unit = f"serial-getty@{tty}"
+    has = f"systemctl start {unit}; ps -o tty= -C agetty | grep -x {tty}"
+    for line, begun, fact in (
+        (machine.line, has, "has it as its terminal"),
         ("/dev/" + machine.kind.console, "true", "it is a console of the kernel"),
     ):
         machine.start(DESTIJL_SERIAL=line)
-        machine.run(f"systemctl stop destijl; {begin}; sleep 3")
+        machine.run("systemctl stop destijl")
+        machine.expect(begun)
         _, said = machine.attempt("/usr/lib/destijl/check-service")
         #  it leaves the line to the group tty, until the next boot
         machine.run(
@@ -561,7 +564,7 @@ def ended(machine: Machine) -> None:
     machine.run(
         "rm -rf /root/trial; mkdir /root/trial; cd /root/source\n"
         "export AUTOPKGTEST_TMP=/root/trial PATIENCE=10\n"
-        "debian/tests/drive >/root/said || { grep WRONG /root/said; false; }",
+        "debian/tests/drive >/root/said || { grep -v systemd /root/said; false; }",
         900.0,
     )
 
@@ -605,11 +608,11 @@ def purge(machine: Machine) -> None:
         "sha256sum /etc/destijl/token /etc/default/destijl*\n"
         "find /var/lib/private/destijl-web -name images.mjpeg | sort"
     )
-    before = machine.run(known)
+    before = set(machine.run(known).splitlines())
     machine.run(f"apt-get -qq remove -y {packages}; test ! -e /usr/bin/destijl")
     machine.run("! systemctl -q is-active destijl destijl-web")
     install_packages(machine, "/root/packages/*.deb")
-    if machine.run(known) != before:
+    if not before <= set(machine.run(known).splitlines()):
         raise Wrong("token, settings or recordings are others")
     machine.run(f"apt-get -qq purge -y {packages}")
     left = machine.run(
