@@ -266,7 +266,7 @@ export default {
   CIMG: "found",
   mission_AACK: "under way",
   mission_ACRJ: "a mission is under way",
-  NOWHEEL: "somebody else drives",
+  NOWHEEL: "you do not drive",
   BUSY: "too many orders are waiting",
   NOLINK: "no supervisor",
   MUTED: "not obeyed",

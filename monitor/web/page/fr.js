@@ -254,7 +254,7 @@ export default {
   CIMG: "trouvée",
   mission_AACK: "en route",
   mission_ACRJ: "une mission est en cours",
-  NOWHEEL: "quelqu’un d’autre conduit",
+  NOWHEEL: "vous ne conduisez pas",
   BUSY: "trop d’ordres en attente",
   NOLINK: "pas de superviseur",
   MUTED: "non obéi",
