@@ -9,7 +9,7 @@ package body Robot.Health.Proof with SPARK_Mode is
    begin
       for A of Attempts loop
          pragma Loop_Invariant (In_A_Row < Max_Failures);
-         pragma Loop_Invariant (Failures (H) = In_A_Row);
+         pragma Loop_Invariant (H.Failures = In_A_Row);
          if A.Answered then
             In_A_Row := 0;
             H := Initial;

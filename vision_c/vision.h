@@ -112,23 +112,18 @@ vision_status vision_find_arena(int slot, vision_arena *arena);
  * side of 10 to 12 pixels (below 9 it is rejected) and a white margin of a
  * quarter of a module; it is not reported if its identifier is uncertain. Its
  * centre is the midpoint of its first and third corner, its direction the
- * midpoint of its first and second. */
+ * midpoint of its first and second.
+ *
+ * Unless AREAS is null, searches AREAS only, near known places of the robots,
+ * if the rest of the image (or arena) has not changed since the calling
+ * thread's last search. Otherwise VISION_NOT_FOUND: search the whole image
+ * then. The search of an area ends when it has found as many robots as the
+ * last search there. The results are those of a search of the whole image. */
 vision_status vision_find_robots(int slot, vision_marker marker,
                                  const vision_arena *arena,
                                  vision_robot *robots, int capacity,
-                                 int *count);
-
-/* The same near known places of the robots: searches AREAS only, if the rest
- * of the image (or arena) has not changed since the calling thread's last
- * search, by this or vision_find_robots. Otherwise VISION_NOT_FOUND: search
- * the whole image then. The search of an area ends when it has found as many
- * robots as the last search there. The results are those of
- * vision_find_robots. */
-vision_status vision_follow_robots(int slot, vision_marker marker,
-                                   const vision_arena *arena,
-                                   const vision_area *areas, int area_count,
-                                   vision_robot *robots, int capacity,
-                                   int *count);
+                                 int *count, const vision_area *areas,
+                                 int area_count);
 
 /* Draw into the image of SLOT; after the searches, as drawings hide the
  * robots and the arena. */

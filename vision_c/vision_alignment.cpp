@@ -20,18 +20,6 @@ struct Frame_Of_Shape {
   }
 };
 
-// The map from the unit square to QUAD (Heckbert 1989).
-Map map_of_square(const Quad &quad) {
-  const Point a = quad[1] - quad[2], b = quad[3] - quad[2];
-  const Point rest = quad[0] - quad[1] + quad[2] - quad[3];
-  const double area = cross(a, b);
-  const double g = area == 0.0 ? 0.0 : cross(rest, b) / area;
-  const double h = area == 0.0 ? 0.0 : cross(a, rest) / area;
-  const Point x = quad[1] - quad[0] + g * quad[1];
-  const Point y = quad[3] - quad[0] + h * quad[3];
-  return {x.x, y.x, quad[0].x, x.y, y.y, quad[0].y, g, h, 1};
-}
-
 // Whether MAP keeps the orientation between -1 and 1, away from the horizon.
 bool keeps_turn(const Map &map) {
   double nearest = 1e9;
@@ -52,12 +40,7 @@ using Gains = std::array<Four, fours>;
 class Comparison {
 public:
   Comparison(const cv::Mat &image, const cv::Mat &used, const Map &map)
-      : grey(image), frame(used), x(buffers.x), y(buffers.y),
-        seen(buffers.seen), value(buffers.value), place(buffers.place),
-        gains(buffers.gains) {
-    x.clear();
-    y.clear();
-    place.clear();
+      : grey(image), frame(used) {
     for (int row = 1; row < used.rows - 1; ++row)
       for (int column = 1; column < used.cols - 1; ++column) {
         if (used.at<uchar>(row, column) != compared)
@@ -94,22 +77,14 @@ public:
   double blur_left(const cv::Mat &shape, const Fit &fit) const;
 
 private:
-  // No allocation in later searches. Positions and samples are padded to a
-  // multiple of four.
-  struct Buffers {
-    std::vector<float> x, y, seen, value;
-    std::vector<int> place;
-    std::vector<Gains> gains;
-  };
-  static thread_local Buffers buffers;
-
   const cv::Mat &grey;
   const Frame_Of_Shape frame;
   // Position of each pixel, in unit coordinates and in the shape; the values
-  // of the image and of the shape there.
-  std::vector<float> &x, &y, &seen, &value;
-  std::vector<int> &place;
-  std::vector<Gains> &gains;
+  // of the image and of the shape there. Positions and samples are padded to a
+  // multiple of four.
+  std::vector<float> x, y, seen, value;
+  std::vector<int> place;
+  std::vector<Gains> gains;
 
   void look(const Map &map);
   bool fit_brightness(Fit &fit) const;
@@ -119,8 +94,6 @@ private:
   // Of the normal equations
   cv::Matx<double, most_gains, most_gains> inverse;
 };
-
-thread_local Comparison::Buffers Comparison::buffers;
 
 // Samples the image at each pixel.
 void Comparison::look(const Map &map) {
@@ -295,6 +268,17 @@ double Comparison::blur_left(const cv::Mat &shape, const Fit &fit) const {
 }
 
 }  // namespace
+
+Map map_of_square(const Quad &quad) {
+  const Point a = quad[1] - quad[2], b = quad[3] - quad[2];
+  const Point rest = quad[0] - quad[1] + quad[2] - quad[3];
+  const double area = cross(a, b);
+  const double g = area == 0.0 ? 0.0 : cross(rest, b) / area;
+  const double h = area == 0.0 ? 0.0 : cross(a, rest) / area;
+  const Point x = quad[1] - quad[0] + g * quad[1];
+  const Point y = quad[3] - quad[0] + h * quad[3];
+  return {x.x, y.x, quad[0].x, x.y, y.y, quad[0].y, g, h, 1};
+}
 
 Map map_of(const Quad &from, const Quad &to) {
   const Map sources = map_of_square(from);

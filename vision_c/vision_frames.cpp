@@ -136,20 +136,13 @@ bool make_pixels(Frame &here) {
 }
 
 bool sound(const vision_arena &arena) {
-  for (const vision_point &corner : arena.corner)
-    if (!sound(corner))
-      return false;
-  return true;
+  return std::all_of(std::begin(arena.corner), std::end(arena.corner),
+                     [](const vision_point &corner) { return sound(corner); });
 }
 
 }  // namespace vision
 
-using vision::fail;
-using vision::Frame;
-using vision::guarded;
-using vision::on_frame;
-using vision::on_image;
-using vision::sound;
+using namespace vision;
 
 extern "C" {
 
@@ -166,7 +159,7 @@ vision_status vision_size(int slot, int *width, int *height) {
 vision_status vision_load(int slot, const unsigned char *bgr, int width,
                           int height) {
   return guarded([&] {
-    Frame *const here = vision::frame(slot);
+    Frame *const here = frame(slot);
     if (here == nullptr || bgr == nullptr || width < 1 || height < 1 ||
         width > VISION_MAX_SIDE || height > VISION_MAX_SIDE)
       return fail(VISION_BAD_ARGUMENT, "cannot load %d x %d into slot %d",
@@ -181,15 +174,15 @@ vision_status vision_load(int slot, const unsigned char *bgr, int width,
 vision_status vision_load_jpeg(int slot, const unsigned char *jpeg,
                                int length, int width, int height) {
   return guarded([&] {
-    Frame *const here = vision::frame(slot);
+    Frame *const here = frame(slot);
     if (here == nullptr || jpeg == nullptr || length < 1 || width < 1 ||
         height < 1 || width > VISION_MAX_SIDE || height > VISION_MAX_SIDE)
       return fail(VISION_BAD_ARGUMENT, "cannot load %d bytes into slot %d",
                   length, slot);
     const cv::Mat bytes(1, length, CV_8UC1,
                         const_cast<unsigned char *>(jpeg));
-    vision::Jpeg_Facts facts;
-    if (!vision::examine(bytes, facts))
+    Jpeg_Facts facts;
+    if (!examine(bytes, facts))
       return VISION_NO_IMAGE;
     bytes.copyTo(here->jpeg);
     here->facts = facts;
@@ -205,9 +198,9 @@ vision_status vision_draw_arena(int slot, const vision_arena *arena) {
       return fail(VISION_BAD_ARGUMENT, "no arena to draw");
     const cv::Scalar green(0, 220, 0);
     for (int k = 0; k < 4; ++k)
-      cv::line(here.image, vision::fine(arena->corner[k]),
-               vision::fine(arena->corner[(k + 1) % 4]), green,
-               vision::thickness(here.image), cv::LINE_AA, vision::shift);
+      cv::line(here.image, fine(arena->corner[k]),
+               fine(arena->corner[(k + 1) % 4]), green,
+               thickness(here.image), cv::LINE_AA, shift);
     here.content = Frame::Content::pixels;
     return VISION_OK;
   });
@@ -218,7 +211,7 @@ vision_status vision_draw_robot(int slot, const vision_robot *robot) {
     if (robot == nullptr || !sound(robot->centre) || !sound(robot->direction))
       return fail(VISION_BAD_ARGUMENT, "no robot to draw");
     const cv::Scalar red(40, 40, 255);
-    const int thick = vision::thickness(here.image);
+    const int thick = thickness(here.image);
     const cv::Point2d centre(robot->centre.x, robot->centre.y);
     const cv::Point2d ahead(robot->direction.x - centre.x,
                             robot->direction.y - centre.y);
@@ -228,13 +221,13 @@ vision_status vision_draw_robot(int slot, const vision_robot *robot) {
     const vision_point tip{centre.x + 2.5 * ahead.x, centre.y + 2.5 * ahead.y};
     if (!sound(tip))
       return fail(VISION_BAD_ARGUMENT, "no robot to draw");
-    cv::arrowedLine(here.image, vision::fine(robot->centre), vision::fine(tip),
-                    red, thick, cv::LINE_AA, vision::shift, 0.25);
-    cv::circle(here.image, vision::fine(robot->centre),
-               (2 * thick) << vision::shift, red, cv::FILLED, cv::LINE_AA,
-               vision::shift);
+    cv::arrowedLine(here.image, fine(robot->centre), fine(tip),
+                    red, thick, cv::LINE_AA, shift, 0.25);
+    cv::circle(here.image, fine(robot->centre),
+               (2 * thick) << shift, red, cv::FILLED, cv::LINE_AA,
+               shift);
 
-    vision::draw_label(here.image, std::to_string(robot->id), centre,
+    draw_label(here.image, std::to_string(robot->id), centre,
                        {tip.x, tip.y}, std::hypot(ahead.x, ahead.y));
     here.content = Frame::Content::pixels;
     return VISION_OK;
@@ -258,14 +251,14 @@ vision_status vision_encode(int slot, int quality, unsigned char *buffer,
       *length = int(here.facts.whole);
       return VISION_OK;
     }
-    if (!vision::make_pixels(here))
+    if (!make_pixels(here))
       return VISION_FAILED;
-    return vision::encode(here.image, quality, buffer, capacity, *length);
+    return encode(here.image, quality, buffer, capacity, *length);
   });
 }
 
 const char *vision_reason(void) {
-  return vision::reason;
+  return reason;
 }
 
 const char *vision_library(void) {

@@ -1,292 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The search for ArUco markers: quadrilaterals are read and aligned.
+// The search for ArUco markers: quadrilaterals are read, drawn and aligned.
 
-#include "vision_search.hpp"
+#include "vision_modules.hpp"
 
 #include <opencv2/imgproc.hpp>
-
-#if CV_VERSION_MAJOR > 4 || (CV_VERSION_MAJOR == 4 && CV_VERSION_MINOR >= 7)
-#define VISION_ARUCO_IN_OBJDETECT
-#include <opencv2/objdetect/aruco_detector.hpp>
-#else
-#include <opencv2/aruco.hpp>
-#endif
 
 namespace vision {
 
 namespace {
-
-// The meaning of a marker's bits.
-class Dictionary {
-public:
-  Dictionary() {
-#ifdef VISION_ARUCO_IN_OBJDETECT
-    learn(cv::aruco::getPredefinedDictionary(cv::aruco::DICT_4X4_1000));
-#else
-    learn(*cv::aruco::getPredefinedDictionary(cv::aruco::DICT_4X4_1000));
-#endif
-  }
-
-  bool knows(unsigned bits) const { return meaning[bits] >= 0; }
-
-  // Decodes 16 bits, row by row: the marker's ID, and by how many quarter
-  // turns clockwise it is rotated.
-  int id(unsigned bits) const { return meaning[bits] / 4; }
-  int turns(unsigned bits) const { return meaning[bits] % 4; }
-
-  // All valid words, in each rotation: four of each ID.
-  const std::vector<unsigned> &words() const { return known; }
-
-private:
-  std::vector<int> meaning = std::vector<int>(1 << 16, -1);
-  std::vector<unsigned> known;
-
-  void learn(const cv::aruco::Dictionary &dictionary) {
-    for (int id = 0; id < dictionary.bytesList.rows; ++id) {
-      const cv::Mat upright = cv::aruco::Dictionary::getBitsFromByteList(
-          dictionary.bytesList.rowRange(id, id + 1), 4);
-      unsigned bits = 0;
-      for (int k = 0; k < 16; ++k)
-        bits |= unsigned(upright.at<uchar>(k / 4, k % 4) != 0) << k;
-      for (int turns = 0; turns < 4; ++turns) {
-        meaning[bits] = 4 * id + turns;
-        known.push_back(bits);
-        bits = turned(bits);
-      }
-    }
-  }
-
-  // The bits after a clockwise quarter turn.
-  static unsigned turned(unsigned bits) {
-    unsigned result = 0;
-    for (int row = 0; row < 4; ++row)
-      for (int column = 0; column < 4; ++column)
-        result |= (bits >> (4 * (3 - column) + row) & 1u)
-                  << (4 * row + column);
-    return result;
-  }
-};
-
-const Dictionary &dictionary() {
-  static const Dictionary known;
-  return known;
-}
-
-// Grey levels, or labels, of a marker's modules: its own 6 x 6, including the
-// black border, and those around it.
-template <typename Item> using Grid = std::array<std::array<Item, 8>, 8>;
-
-int ring_of(int row, int column) {
-  return std::min(std::min(row, column), std::min(7 - row, 7 - column));
-}
-
-int bit_of(int row, int column) {
-  return 4 * (row - 2) + column - 2;
-}
-
-// The marker in module coordinates, from its top left corner.
-const Quad six_by_six{Point(0, 0), Point(6, 0), Point(6, 6), Point(0, 6)};
-
-// The modules, each averaged over the centre of its area.
-Grid<double> read_modules(const cv::Mat &grey, const Map &map,
-                          double module) {
-  const int samples = std::min(std::max(cvRound(0.6 * module), 1), 4);
-  const cv::Matx33f single = map;
-  std::array<float, 4> place;  // in a module
-  for (int k = 0; k < samples; ++k)
-    place[k] = float(0.6 * ((k + 0.5) / samples - 0.5) - 0.5);
-  Grid<double> modules;
-  for (int row = 0; row < 8; ++row)
-    for (int column = 0; column < 8; column += 4) {
-      const Four columns = Four{0, 1, 2, 3} + float(column);
-      Four sum{};
-      for (int y = 0; y < samples; ++y)
-        for (int x = 0; x < samples; ++x) {
-          Four right = columns + place[x], down = Four{} + (row + place[y]);
-          move(single, right, down);
-          sum += sample(grey, right, down);
-        }
-      for (int k = 0; k < 4; ++k)
-        modules[row][column + k] = sum[k] / float(samples * samples);
-    }
-  return modules;
-}
-
-// Reverses the optical crosstalk between neighbouring modules: SHARE is the
-// share of a neighbour's light in each.
-Grid<double> unmix(const Grid<double> &seen, double share) {
-  Grid<double> now = seen;
-  for (int round = 0; round < 4; ++round) {
-    const Grid<double> before = now;
-    const auto at = [&](int row, int column) {
-      return before[std::min(std::max(row, 0), 7)]
-                   [std::min(std::max(column, 0), 7)];
-    };
-    for (int row = 0; row < 8; ++row)
-      for (int column = 0; column < 8; ++column) {
-        double mixed = 0.0;
-        for (int y = -1; y <= 1; ++y)
-          for (int x = -1; x <= 1; ++x)
-            mixed += (y == 0 ? 1 - 2 * share : share) *
-                     (x == 0 ? 1 - 2 * share : share) *
-                     at(row + y, column + x);
-        now[row][column] += seen[row][column] - mixed;
-      }
-  }
-  return now;
-}
-
-// The modules of the border, in sequence.
-const std::array<std::array<int, 2>, 20> &border_modules() {
-  static const auto modules = [] {
-    std::array<std::array<int, 2>, 20> all;
-    for (int k = 0; k < 5; ++k) {
-      all[k] = {1, 1 + k};
-      all[5 + k] = {1 + k, 6};
-      all[10 + k] = {6, 6 - k};
-      all[15 + k] = {6 - k, 1};
-    }
-    return all;
-  }();
-  return modules;
-}
-
-// Whether the border is black, except for one place that may be covered:
-// otherwise it is no marker.
-bool is_border(const Grid<bool> &black) {
-  constexpr int most_hidden = 4;
-  const auto &modules = border_modules();
-  const auto is_black = [&](int k) {
-    const auto &module = modules[k % 20];
-    return black[module[0]][module[1]];
-  };
-  int longest = 0;
-  for (int from = 0; from < 20; ++from) {
-    int run = 0;
-    while (run < 20 && is_black(from + run))
-      ++run;
-    longest = std::max(longest, run);
-  }
-  return longest >= 20 - most_hidden;
-}
-
-constexpr double least_contrast = 10.0;  // grey levels
-
-// A single threshold, which separates the levels best (Otsu 1979).
-bool read_evenly(const Grid<double> &modules, unsigned &bits) {
-  std::array<double, 36> level;
-  for (int k = 0; k < 36; ++k)
-    level[k] = modules[1 + k / 6][1 + k % 6];
-  std::sort(level.begin(), level.end());
-  double total = 0.0, below = 0.0, best = -1.0, threshold = 0.0;
-  for (const double grey : level)
-    total += grey;
-  for (int k = 1; k < 36; ++k) {
-    below += level[k - 1];
-    const double apart = (total - below) / (36 - k) - below / k;
-    if (k >= 18 && apart * apart * k * (36 - k) > best) {
-      best = apart * apart * k * (36 - k);
-      threshold = (level[k - 1] + level[k]) / 2;
-      if (apart < least_contrast)
-        best = -1.0;
-    }
-  }
-  if (best < 0.0)
-    return false;
-  Grid<bool> black{};
-  bits = 0;
-  for (int row = 1; row < 7; ++row)
-    for (int column = 1; column < 7; ++column) {
-      black[row][column] = modules[row][column] <= threshold;
-      if (ring_of(row, column) > 1 && !black[row][column])
-        bits |= 1u << bit_of(row, column);
-    }
-  return is_border(black);
-}
-
-// Compares markers by differences: illumination is nearly equal for adjacent
-// modules. Of the 36 modules, each one's difference from the mean around it is
-// compared.
-class Differences {
-public:
-  Differences() {
-    constexpr double spread = 1.0;  // modules
-    cv::Matx<double, 36, 36> left;
-    for (int i = 0; i < 36; ++i) {
-      double total = 0.0;
-      for (int k = 0; k < 36; ++k)
-        total += near(i, k, spread);
-      for (int k = 0; k < 36; ++k)
-        left(i, k) = (i == k) - near(i, k, spread) / total;
-    }
-    product = left.t() * left;
-    for (const unsigned bits : dictionary().words()) {
-      double sum = 0.0;
-      for (int i = 0; i < 16; ++i)
-        for (int k = 0; k < 16; ++k)
-          if (bits >> i & bits >> k & 1u)
-            sum += product(inner(i), inner(k));
-      length_of.push_back(std::sqrt(sum));
-    }
-  }
-
-  // The marker most similar to MODULES. False if there is none, or another one
-  // is nearly as similar.
-  bool read(const Grid<double> &modules, unsigned &bits) const {
-    constexpr double like = 0.75;   // the cosine between both, at least
-    constexpr double apart = 0.75;  // its sine, as a share of the next one's
-    cv::Matx<double, 36, 1> seen;
-    for (int k = 0; k < 36; ++k)
-      seen(k) = modules[1 + k / 6][1 + k % 6];
-    const cv::Matx<double, 36, 1> rest = product * seen;
-    const double square = rest.dot(seen);
-    if (square < 1.0)
-      return false;
-    std::array<std::array<double, 256>, 2> part;
-    for (int half = 0; half < 2; ++half) {
-      part[half][0] = 0.0;
-      for (unsigned byte = 1; byte < 256; ++byte) {
-        int lowest = 0;
-        while (!(byte >> lowest & 1u))
-          ++lowest;
-        part[half][byte] = part[half][byte & (byte - 1)] +
-                           rest(inner(8 * half + lowest));
-      }
-    }
-    double best = 0.0, next = 0.0;
-    const std::vector<unsigned> &words = dictionary().words();
-    for (std::size_t k = 0; k < words.size(); ++k) {
-      const double cosine =
-          (part[0][words[k] & 255u] + part[1][words[k] >> 8]) / length_of[k];
-      if (cosine > best) {
-        next = best;
-        best = cosine;
-        bits = words[k];
-      } else {
-        next = std::max(next, cosine);
-      }
-    }
-    return best * best > like * like * square &&
-           square - best * best <= apart * apart * (square - next * next);
-  }
-
-private:
-  cv::Matx<double, 36, 36> product;
-  std::vector<double> length_of;
-
-  // The index among the 36 modules of the one with this bit.
-  static int inner(int bit) { return 7 + bit / 4 * 6 + bit % 4; }
-
-  static double near(int i, int k, double spread) {
-    const double x = i % 6 - k % 6, y = i / 6 - k / 6;
-    return std::exp(-0.5 * (x * x + y * y) / (spread * spread));
-  }
-};
-
-const Differences &differences() {
-  static const Differences known;
-  return known;
-}
 
 // The drawing of a marker that is compared with the image: pixels per module,
 // and the width of the quiet zone in pixels.
@@ -301,145 +22,6 @@ constexpr uchar read_only = 1;  // not to be compared, but looked at
 
 constexpr int point(int k) {
   return k / int(places.size()) * pitch + places[k % places.size()];
-}
-
-bool is_white(unsigned bits, int row, int column) {
-  const int ring = ring_of(row, column);
-  return ring == 0 || (ring > 1 && (bits >> bit_of(row, column) & 1u));
-}
-
-// Levels of black and white at each module.
-struct Light {
-  Grid<double> black{}, white{};
-};
-
-// For nearly even illumination: means over a wide neighbourhood of the modules
-// that are SEEN.
-Light light_far(unsigned bits, const Grid<double> &modules,
-                const Grid<bool> &seen, double black, double white) {
-  constexpr double spread = 4.0;  // modules
-  std::array<double, 8> share;
-  for (int k = 0; k < 8; ++k)
-    share[k] = std::exp(-0.5 * k * k / (spread * spread));
-  Light light;
-  for (const bool bright : {false, true}) {
-    Grid<double> sum{}, weight{};  // along each row
-    for (int y = 1; y < 7; ++y)
-      for (int x = 1; x < 7; ++x) {
-        if (!seen[y][x] || is_white(bits, y, x) != bright)
-          continue;
-        for (int column = 0; column < 8; ++column) {
-          const double w = share[std::abs(x - column)];
-          sum[y][column] += w * modules[y][x];
-          weight[y][column] += w;
-        }
-      }
-    for (int row = 0; row < 8; ++row)
-      for (int column = 0; column < 8; ++column) {
-        double total = 0.02 * (bright ? white : black), part = 0.02;
-        for (int y = 1; y < 7; ++y) {
-          total += share[std::abs(y - row)] * sum[y][column];
-          part += share[std::abs(y - row)] * weight[y][column];
-        }
-        (bright ? light.white : light.black)[row][column] = total / part;
-      }
-  }
-  return light;
-}
-
-// For uneven illumination: black is interpolated from adjacent modules as if
-// they were black. The contrast to white varies more slowly.
-Light light_near(unsigned bits, const Grid<double> &modules,
-                 const Grid<bool> &seen, double black, double white) {
-  constexpr double spread = 0.9, spread_of_steps = 2.0;  // modules
-  const auto share = [](double x, double y, double reach) {
-    return std::exp(-0.5 * (x * x + y * y) / (reach * reach));
-  };
-  struct Step {
-    double row, column, grey;
-  };
-  std::vector<Step> steps;
-  for (int row = 0; row < 8; ++row)
-    for (int column = 0; column < 8; ++column)
-      for (const bool down : {false, true}) {
-        const int y = row + down, x = column + !down;
-        if (y > 7 || x > 7 || !seen[row][column] || !seen[y][x] ||
-            is_white(bits, row, column) == is_white(bits, y, x))
-          continue;
-        const double grey = modules[y][x] - modules[row][column];
-        steps.push_back({(row + y) / 2.0, (column + x) / 2.0,
-                         is_white(bits, y, x) ? grey : -grey});
-      }
-  Light light;
-  Grid<double> step;
-  for (int row = 0; row < 8; ++row)
-    for (int column = 0; column < 8; ++column) {
-      double sum = 0.02 * (white - black), weight = 0.02;
-      for (const Step &one : steps) {
-        const double w =
-            share(one.column - column, one.row - row, spread_of_steps);
-        sum += w * one.grey;
-        weight += w;
-      }
-      step[row][column] = sum / weight;
-    }
-  for (int row = 0; row < 8; ++row)
-    for (int column = 0; column < 8; ++column) {
-      double sum = 0.001 * black, weight = 0.001;
-      for (int y = 0; y < 8; ++y)
-        for (int x = 0; x < 8; ++x) {
-          if (!seen[y][x])
-            continue;
-          const double w = share(x - column, y - row, spread);
-          sum += w * (modules[y][x] -
-                      (is_white(bits, y, x) ? step[y][x] : 0.0));
-          weight += w;
-        }
-      light.black[row][column] = sum / weight;
-      light.white[row][column] = sum / weight + step[row][column];
-    }
-  return light;
-}
-
-// Of the quiet zone beside a side: its width, in modules, one at most; the
-// grey level beyond it.
-struct Margin {
-  double width, beyond;
-};
-
-// MAP: from the marker's modules to GREY; WHITE: the mean level of its white
-// ones. A thin margin's light is measured: blurred, it has no profile.
-std::array<Margin, 4> margins(const cv::Mat &grey, const Map &map,
-                              double white) {
-  constexpr int steps = 16, along = 12;
-  constexpr double from = -0.5, to = 1.5, step = (to - from) / steps;
-  std::array<Margin, 4> margin;
-  const cv::Matx33f single = map;
-  for (int side = 0; side < 4; ++side) {
-    std::array<double, steps + 1> level;
-    for (int k = 0; k <= steps; ++k) {
-      const double away = from + k * step;
-      Four sum{};
-      for (int n = 0; n < along; n += 4) {
-        Four x = (Four{0, 1, 2, 3} + (float(n) + 0.5f)) * (6.0f / along);
-        Four y = Four{} + float(side % 3 == 0 ? -away : 6.0 + away);
-        if (side % 2 == 1)
-          std::swap(x, y);
-        move(single, x, y);
-        sum += sample(grey, x, y);
-      }
-      level[k] = (sum[0] + sum[1] + sum[2] + sum[3]) / along;
-    }
-    const double beyond = (level[steps] + level[steps - 1]) / 2;
-    const double bright = white - beyond;
-    double light = -from * (beyond - level[0]);  // over that beyond
-    for (int k = 0; k < steps; ++k)
-      light += step * ((level[k] + level[k + 1]) / 2 - beyond);
-    margin[side] = {bright > least_contrast && light < bright
-                        ? std::max(light, 0.0) / bright : 1.0,
-                    beyond};
-  }
-  return margin;
 }
 
 // Draws what is beyond the margins; levels as for draw.
@@ -466,14 +48,14 @@ void draw_beyond(const std::array<Margin, 4> &margin, double black,
 // modules to the image. Marks in USED the pixels to be compared. False if a
 // side of its border does not show, as what is beside it is as dark.
 bool draw(const cv::Mat &grey, const Map &map, unsigned bits,
-          const Grid<double> &modules, bool evenly, cv::Mat &shape,
-          cv::Mat &used, Grid<double> &contrast) {
+          const Grid &modules, bool evenly, cv::Mat &shape,
+          cv::Mat &used, Grid &contrast) {
   double white = 0.0, black = 0.0;
   int whites = 0, blacks = 0;
   for (int row = 1; row < 7; ++row)
     for (int column = 1; column < 7; ++column) {
       const bool bright = is_white(bits, row, column);
-      (bright ? white : black) += modules[row][column];
+      (bright ? white : black) += modules(row, column);
       ++(bright ? whites : blacks);
     }
   white /= std::max(1, whites);
@@ -483,34 +65,35 @@ bool draw(const cv::Mat &grey, const Map &map, unsigned bits,
 
   // A bright border module, or a dark module of the quiet zone, is covered or
   // absent.
-  Grid<bool> seen;
-  for (int row = 0; row < 8; ++row)
-    for (int column = 0; column < 8; ++column)
-      seen[row][column] =
-          ring_of(row, column) > 1 ||
-          (modules[row][column] > middle) == is_white(bits, row, column);
-
-  const Light light = (evenly ? light_far : light_near)(bits, modules, seen,
-                                                        black, white);
-  cv::Mat dark(8, 8, CV_32F), bright(8, 8, CV_32F), pattern(8, 8, CV_8U);
+  Grid seen, pattern;
   for (int row = 0; row < 8; ++row)
     for (int column = 0; column < 8; ++column) {
-      const double from = light.black[row][column];
-      const double to = light.white[row][column];
-      contrast[row][column] = std::max(0.1, (to - from) / step);
-      dark.at<float>(row, column) = float((from - black) / step);
-      bright.at<float>(row, column) = float((to - black) / step);
-      pattern.at<uchar>(row, column) = is_white(bits, row, column) ? 255 : 0;
+      pattern(row, column) = is_white(bits, row, column);
+      seen(row, column) =
+          ring_of(row, column) > 1 ||
+          (modules(row, column) > middle) == is_white(bits, row, column);
     }
+
+  const Levels light = (evenly ? light_far : light_near)(
+      pattern, modules, seen, black, white);
+  for (int k = 0; k < 64; ++k)
+    contrast.val[k] =
+        std::max(0.1, (light.white.val[k] - light.black.val[k]) / step);
+  cv::Mat dark, bright, is_bright;
+  cv::Mat((light.black - Grid::all(black)) * (1 / step))
+      .convertTo(dark, CV_32F);
+  cv::Mat((light.white - Grid::all(black)) * (1 / step))
+      .convertTo(bright, CV_32F);
+  cv::Mat(pattern).convertTo(is_bright, CV_8U, 255);
   const cv::Size size(extent, extent);
   if (evenly) {
-    bright.copyTo(dark, pattern);
+    bright.copyTo(dark, is_bright);
     cv::resize(dark, shape, size, 0, 0, cv::INTER_NEAREST);
   } else {
     cv::Mat large, mask;
     cv::resize(dark, shape, size, 0, 0, cv::INTER_LINEAR);
     cv::resize(bright, large, size, 0, 0, cv::INTER_LINEAR);
-    cv::resize(pattern, mask, size, 0, 0, cv::INTER_NEAREST);
+    cv::resize(is_bright, mask, size, 0, 0, cv::INTER_NEAREST);
     large.copyTo(shape, mask);
   }
 
@@ -528,7 +111,7 @@ bool draw(const cv::Mat &grey, const Map &map, unsigned bits,
   used.setTo(0);
   for (int y = rim; y < points - rim; ++y)
     for (int x = rim; x < points - rim; ++x)
-      if (seen[point(y) / pitch][point(x) / pitch])
+      if (seen(point(y) / pitch, point(x) / pitch) > 0.0)
         used.at<uchar>(point(y), point(x)) =
             (x + y) % 2 == 0 ? compared : read_only;
   return true;
@@ -536,10 +119,10 @@ bool draw(const cv::Mat &grey, const Map &map, unsigned bits,
 
 // For each module, the share of its contrast in the drawing that indicates the
 // opposite colour: above a half, that fits better.
-Grid<double> doubts(const cv::Mat &grey, unsigned bits, const cv::Mat &used,
-                    const Grid<double> &contrast, const Fit &fit) {
+Grid doubts(const cv::Mat &grey, unsigned bits, const cv::Mat &used,
+                    const Grid &contrast, const Fit &fit) {
   // The residual, and the contribution of a module to the pixels near it.
-  std::array<std::array<double, points>, points> rest{};
+  cv::Matx<double, points, points> rest;
   const cv::Matx33f map = fit.map;
   for (int y = 0; y < points; ++y)
     for (int x = 0; x < points; x += 4) {
@@ -551,52 +134,46 @@ Grid<double> doubts(const cv::Mat &grey, unsigned bits, const cv::Mat &used,
       for (int k = 0; k < 4; ++k)
         if (used.at<uchar>(point(y), point(x + k)) &&
             in_image(grey, Point(right[k], down[k])))
-          rest[y][x + k] = (seen[k] - fit.offset) / fit.contrast -
+          rest(y, x + k) = (seen[k] - fit.offset) / fit.contrast -
                            fit.shape.at<float>(point(y), point(x + k));
     }
   constexpr int per_module = int(places.size());
   constexpr int around = 3 * per_module;
-  std::array<double, around> profile;
+  cv::Matx<double, points, 6> profile;  // of each module in a row or column
   const double width = std::sqrt(2.0) * std::max(0.1, fit.spread);
   double square = 0.0;  // of what a module gives
   for (int k = 0; k < around; ++k) {
     const double from = point(k) + 0.5 - pitch;  // the edge before it
-    profile[k] = 0.5 * (std::erf(from / width) -
-                        std::erf((from - pitch) / width));
-    square += profile[k] * profile[k];
+    const double value = 0.5 * (std::erf(from / width) -
+                                std::erf((from - pitch) / width));
+    for (int module = 0; module < 6; ++module)
+      profile(module * per_module + k, module) = value;
+    square += value * value;
   }
-  square *= square;
-  Grid<double> doubt{};
-  for (int column = 1; column < 7; ++column) {
-    std::array<double, points> across{};
-    for (int y = 0; y < points; ++y)
-      for (int k = 0; k < around; ++k)
-        across[y] += profile[k] * rest[y][(column - 1) * per_module + k];
-    for (int row = 1; row < 7; ++row) {
-      double along = 0.0;
-      for (int k = 0; k < around; ++k)
-        along += profile[k] * across[(row - 1) * per_module + k];
-      doubt[row][column] = (is_white(bits, row, column) ? -1 : 1) * along /
-                           (square * contrast[row][column]);
-    }
-  }
+  const cv::Matx<double, 6, 6> along = profile.t() * rest * profile;
+  Grid doubt;
+  for (int row = 1; row < 7; ++row)
+    for (int column = 1; column < 7; ++column)
+      doubt(row, column) = (is_white(bits, row, column) ? -1 : 1) *
+                           along(row - 1, column - 1) /
+                           (square * square * contrast(row, column));
   return doubt;
 }
 
 // Whether BITS is the only possible reading.
-bool is_certain(unsigned bits, const Grid<double> &doubt) {
+bool is_certain(unsigned bits, const Grid &doubt) {
   constexpr double doubtful = 0.3, wrong = 0.45, most = 0.12;
   double squares = 0.0;
-  Grid<bool> black{};
+  Grid black;
   std::vector<unsigned> open;
   for (int row = 1; row < 7; ++row)
     for (int column = 1; column < 7; ++column) {
-      squares += doubt[row][column] * doubt[row][column];
+      squares += doubt(row, column) * doubt(row, column);
       if (ring_of(row, column) == 1) {
-        black[row][column] = doubt[row][column] <= wrong;
-      } else if (doubt[row][column] > wrong) {
+        black(row, column) = doubt(row, column) <= wrong;
+      } else if (doubt(row, column) > wrong) {
         return false;
-      } else if (doubt[row][column] > doubtful) {
+      } else if (doubt(row, column) > doubtful) {
         open.push_back(1u << bit_of(row, column));
       }
     }
@@ -640,23 +217,12 @@ bool is_sound(const Quad &quad) {
   return shortest >= smallest && longest < 5.0 * shortest;
 }
 
-// Whether a part of the marker is saturated, but its quiet zone is not.
-bool has_spot(const Grid<double> &modules) {
-  constexpr double saturated = 245.0;  // grey level, noise aside
-  int within = 0, around = 0;          // of 28
-  for (int row = 0; row < 8; ++row)
-    for (int column = 0; column < 8; ++column)
-      (ring_of(row, column) == 0 ? around : within) +=
-          modules[row][column] >= saturated;
-  return within > 0 && around < 14;
-}
-
 // Aligns the whole pattern of a marker, given its BITS: more edges than the
 // outline alone, so less noise and no bias from its inside. BLUR, in pixels:
 // the image's if known, on return the measured one. False if the reading is
 // uncertain.
 bool align_marker(const cv::Mat &grey, unsigned bits,
-                  const Grid<double> &modules, bool perspective,
+                  const Grid &modules, bool perspective,
                   bool evenly, Quad &corner, double &blur) {
   static const Quad reference = [] {
     const double near = pitch - 0.5, far = 7 * pitch - 0.5;
@@ -664,7 +230,7 @@ bool align_marker(const cv::Mat &grey, unsigned bits,
                 Point(near, far)};
   }();
   cv::Mat shape, used;
-  Grid<double> contrast;
+  Grid contrast;
   if (!draw(grey, map_of(six_by_six, corner), bits, modules, evenly, shape,
             used, contrast))
     return false;
@@ -694,19 +260,19 @@ bool align_marker(const cv::Mat &grey, unsigned bits,
 
 // Quick test with rough positions: a candidate is darker at its border than
 // somewhere inside.
-bool is_worth_it(const Grid<double> &modules) {
+bool is_worth_it(const Grid &modules) {
   double brightest = 0.0, darkest = 255.0;
   for (int row = 1; row < 7; ++row)
     for (int column = 1; column < 7; ++column) {
       if (ring_of(row, column) == 1)
-        darkest = std::min(darkest, modules[row][column]);
+        darkest = std::min(darkest, modules(row, column));
       else
-        brightest = std::max(brightest, modules[row][column]);
+        brightest = std::max(brightest, modules(row, column));
     }
   const double middle = (brightest + darkest) / 2;
   int dark = 0;
   for (const auto &module : border_modules())
-    dark += modules[module[0]][module[1]] < middle;
+    dark += modules(module[0], module[1]) < middle;
   return brightest > darkest + 0.8 * least_contrast && dark >= 13;
 }
 
@@ -723,7 +289,7 @@ bool read_marker(const cv::Mat &grey, const cv::Mat &smooth, double scale,
   if (refine(smooth, refined.data(), 4, Bright::outside,
              std::max(2.0, share * module / scale), 0.12))
     here = refined;
-  const Grid<double> seen =
+  const Grid seen =
       read_modules(grey, map_of(six_by_six, here), module / scale);
   std::array<unsigned, 3> tried;
   int tries = 0;
@@ -731,8 +297,8 @@ bool read_marker(const cv::Mat &grey, const cv::Mat &smooth, double scale,
     unsigned bits = 0;
     const bool done =
         k == 0   ? read_evenly(seen, bits)
-        : k == 1 ? module < 5.0 && read_evenly(unmix(seen, 0.15), bits)
-                 : differences().read(seen, bits);
+        : k == 1 ? module < 5.0 && read_unmixed(seen, bits)
+                 : read_unevenly(seen, bits);
     if (!done || !dictionary().knows(bits) ||
         std::find(tried.begin(), tried.begin() + tries, bits) !=
             tried.begin() + tries)
@@ -790,10 +356,6 @@ bool find_marker(Quad &corner, int &id, double &blur) {
 }
 
 }  // namespace
-
-unsigned marker_bits(int id) {
-  return dictionary().words()[4 * std::size_t(id)];
-}
 
 void find_markers(Search &search, std::vector<vision_robot> &robots) {
   constexpr double enough = 14.0;  // pixels of a side that give an outline

@@ -205,7 +205,9 @@ bool move_onto(const Edges &edges, double width, double unit,
 }
 
 // Fits VALUE, with outliers.
-Slope fit_slope(const Point *at, const double *value, int count) {
+Slope fit_slope(const std::vector<Point> &at,
+                const std::vector<double> &value) {
+  const int count = int(at.size());
   Slope slope{{0.0, 0.0, 0.0}};
   double scale = 1e6;
   for (int round = 0; round < 4; ++round) {
@@ -233,17 +235,17 @@ Slope fit_slope(const Point *at, const double *value, int count) {
   return slope;
 }
 
-double middle_of(double *values, int count) {
-  std::nth_element(values, values + count / 2, values + count);
-  return values[count / 2];
+double middle_of(std::vector<double> &values) {
+  const auto middle = values.begin() + values.size() / 2;
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
 }
 
 }  // namespace
 
 bool settle(const cv::Mat &grey, Outline &outline, double reach, double noise,
             const Pace &pace, Evidence &evidence) {
-  static thread_local Edges room;
-  Edges &edges = room;
+  static thread_local Edges edges;
   const View view(grey);
   find_edges(grey, outline, reach, noise,
              evidence.usual > 0.0 ? evidence.usual : 1e3, pace, edges);
@@ -268,33 +270,34 @@ bool settle(const cv::Mat &grey, Outline &outline, double reach, double noise,
       return false;
   }
 
-  std::array<const Edge *, 4 * finest> kept;
-  int total = 0, clear = 0, alike = 0, seen = 0;
-  std::array<double, 4 * finest> value;
+  std::vector<const Edge *> kept;
   for (int n = 0; n < edges.count; ++n)
     if (std::fabs(edges.edge[n].rest(change)) <= 2.0 * width)
-      kept[total++] = &edges.edge[n];
-  if (total == 0)
+      kept.push_back(&edges.edge[n]);
+  if (kept.empty())
     return false;
+  const int total = int(kept.size());
   const auto contrast = [](const Edge &edge) {
     return edge.contrast / (edge.inside + 10.0);
   };
-  // Where the sun clips the border, its contrast would be higher: the usual one
-  // is that of the rest, at least a quarter.
-  for (int n = 0; n < total; ++n)
-    if (!kept[n]->clipped)
-      value[clear++] = contrast(*kept[n]);
+  // Where the sun clips the border, its contrast would be higher: the usual
+  // one is that of the rest, at least a quarter.
+  std::vector<double> value, all;
+  for (const Edge *const edge : kept) {
+    all.push_back(contrast(*edge));
+    if (!edge->clipped)
+      value.push_back(all.back());
+  }
+  const int clear = int(value.size());
   const bool is_sunny = 4 * clear >= total && total - clear >= fewest_clipped;
-  if (!is_sunny)
-    for (clear = 0; clear < total; ++clear)
-      value[clear] = contrast(*kept[clear]);
-  const double usual = middle_of(value.data(), clear);
+  const double usual = middle_of(is_sunny ? value : all);
   std::array<int, 4> on{};
-  for (int n = 0; n < total; ++n) {
-    const double part = contrast(*kept[n]) / usual;
-    if (part > 2.0 || (part < 0.5 && !(is_sunny && kept[n]->clipped)))
+  int alike = 0, seen = 0;
+  for (const Edge *const edge : kept) {
+    const double part = contrast(*edge) / usual;
+    if (part > 2.0 || (part < 0.5 && !(is_sunny && edge->clipped)))
       continue;
-    ++on[kept[n]->side];
+    ++on[edge->side];
     ++alike;
   }
   evidence.weakest = 1.0;
@@ -307,49 +310,43 @@ bool settle(const cv::Mat &grey, Outline &outline, double reach, double noise,
   evidence.alike = double(alike) / total;
   if (pace.slopes)
     for (const bool sunny : {false, true}) {
-      std::array<double, 4 * finest> level, rise;
-      std::array<Point, 4 * finest> place;
-      int count = 0;
-      for (int n = 0; n < total; ++n) {
-        const Edge &edge = *kept[n];
-        if (is_sunny && edge.clipped != sunny)
+      std::vector<double> level, rise;
+      std::vector<Point> place;
+      for (const Edge *const edge : kept) {
+        if (is_sunny && edge->clipped != sunny)
           continue;
-        level[count] = edge.inside;
-        rise[count] = edge.contrast;
-        place[count++] = outline.corner[edge.side] +
-                         edge.part * (outline.corner[(edge.side + 1) % 4] -
-                                      outline.corner[edge.side]);
+        level.push_back(edge->inside);
+        rise.push_back(edge->contrast);
+        place.push_back(outline.corner[edge->side] +
+                        edge->part * (outline.corner[(edge->side + 1) % 4] -
+                                      outline.corner[edge->side]));
       }
-      evidence.light[sunny] = {fit_slope(place.data(), level.data(), count),
-                               fit_slope(place.data(), rise.data(), count)};
+      evidence.light[sunny] = {fit_slope(place, level),
+                               fit_slope(place, rise)};
     }
-  for (int n = 0; n < total; ++n)
-    value[n] = kept[n]->contrast;
-  evidence.usual = middle_of(value.data(), total);
+  value.clear();
+  for (const Edge *const edge : kept)
+    value.push_back(edge->contrast);
+  evidence.usual = middle_of(value);
 
   // At a corner, both sides have the same illumination.
   evidence.corners = 0;
   for (int k = 0; k < 4; ++k) {
-    std::array<double, finest> before, after;
-    int before_count = 0, after_count = 0;
+    std::vector<double> before, after;
     double local = 0.0;
-    for (int n = 0; n < edges.count; ++n) {
-      const Edge &edge = edges.edge[n];
-      if (std::fabs(edge.rest(change)) > 2.0 * width)
+    for (const Edge *const edge : kept) {
+      if (edge->side == k && edge->part < 0.35)
+        after.push_back(edge->inside);
+      else if (edge->side == (k + 3) % 4 && edge->part > 0.65)
+        before.push_back(edge->inside);
+      else
         continue;
-      if (edge.side == k && edge.part < 0.35) {
-        after[after_count++] = edge.inside;
-        local += edge.contrast;
-      } else if (edge.side == (k + 3) % 4 && edge.part > 0.65) {
-        before[before_count++] = edge.inside;
-        local += edge.contrast;
-      }
+      local += edge->contrast;
     }
-    if (before_count < 2 || after_count < 2)
+    if (before.size() < 2 || after.size() < 2)
       continue;
-    local /= before_count + after_count;
-    if (std::fabs(middle_of(before.data(), before_count) -
-                  middle_of(after.data(), after_count)) <
+    local /= double(before.size() + after.size());
+    if (std::fabs(middle_of(before) - middle_of(after)) <
         0.5 * local + 2.0 * noise)
       ++evidence.corners;
   }
@@ -439,42 +436,6 @@ int ends_continued(const cv::Mat &small, const Outline &outline,
     }
   }
   return continued;
-}
-
-bool is_field(const Outline &outline, double tolerance) {
-  constexpr double narrowest = 3.6, widest = 1.1;  // focal lengths, in units
-  constexpr int steps = 8;
-  constexpr double greatest_tilt = 30.0;  // degrees
-  const std::array<Point, 4> &c = outline.corner;
-  // The map from the plane to the undistorted image: the corners of the unit
-  // square (Heckbert).
-  const Point sum = c[0] - c[1] + c[2] - c[3];
-  const Point one = c[1] - c[2], two = c[3] - c[2];
-  const double area = cross(one, two);
-  if (std::fabs(area) < 1e-6)
-    return false;
-  const double g = cross(sum, two) / area, h = cross(one, sum) / area;
-  const Point a = c[1] - c[0] + g * c[1], b = c[3] - c[0] + h * c[3];
-  double best = 1e9;
-  for (int n = 0; n < steps; ++n) {
-    const double focal =
-        widest * std::pow(narrowest / widest, double(n) / (steps - 1));
-    // The sides in space, in an arbitrary unit.
-    const cv::Vec3d right(a.x / focal, a.y / focal, g);
-    const cv::Vec3d down(b.x / focal, b.y / focal, h);
-    const double width = cv::norm(right), height = cv::norm(down);
-    if (width < 1e-9 || height < 1e-9)
-      continue;
-    const cv::Vec3d normal = right.cross(down);
-    const double upright = std::fabs(normal[2]) / cv::norm(normal);
-    if (upright < std::cos(greatest_tilt * CV_PI / 180.0))
-      continue;
-    const double ratio = std::max(width, height) / std::min(width, height);
-    best = std::min(
-        best, std::hypot(std::log(ratio * 0.75),
-                         right.dot(down) / (width * height)));
-  }
-  return best < tolerance;
 }
 
 }  // namespace vision

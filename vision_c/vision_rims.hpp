@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The outline of the arena's field with lens distortion: its adjustment to the
-// edges of an image, and the test whether it is an arena.
+// The outline of the arena's field with lens distortion: candidates, their
+// adjustment to the edges of an image, and the test whether it is an arena.
 
 #ifndef VISION_RIMS_HPP
 #define VISION_RIMS_HPP
@@ -68,6 +68,28 @@ struct Evidence {
                                // is; the same unless the sun shines on a part
   double usual = 0.0;     // contrast
 };
+
+constexpr int small_side = 320;  // pixels, of the image searched
+
+// A point of the small image at which it gets brighter along NORMAL.
+struct Spot {
+  cv::Point2f at, normal;  // from the middle, pixels; of length 1
+  float slope;             // grey levels a pixel
+};
+
+struct Candidate {
+  Outline outline;
+  double score = 0.0;
+};
+
+using Candidates = std::vector<Candidate>;  // best first
+
+// Adds an outline if it is among the best, and better than one at its place.
+void add(Candidates &found, const Candidate &wanted);
+
+// Outlines by lines of the small image, each with the lens distortion that
+// suits it best; SPOTS: the image's edges.
+Candidates find_candidates(const cv::Mat &small, std::vector<Spot> &spots);
 
 // Sampling density along an outline.
 struct Pace {

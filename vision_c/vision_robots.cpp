@@ -81,22 +81,21 @@ bool limit(const Frame &here, const vision_arena *arena, Search &search) {
 
 // ---------------------------------------------------------------- Following
 
-// The last searched appearance of each tile of the image. If it has not
-// changed, no robot has entered the tile.
-struct Watch {
-  static constexpr int across = 80;   // tiles along the image's longer side
-  static constexpr int least = 8;     // smallest side of a tile, in pixels
-  static constexpr int samples = 4;   // green values of a tile, per direction
-  static constexpr int change = 24;   // smallest change of a tile's mean, grey
-                                      // levels: 4 times that of a noise of 15
-  cv::Mat seen;  // CV_16SC1, a tile a pixel: the sum of its samples
+// The image in tiles. If one has not changed since it was searched, no robot
+// has entered it.
+constexpr int across = 80;   // tiles along the image's longer side
+constexpr int smallest = 8;  // side of a tile, in pixels
+constexpr int samples = 4;   // green values of a tile, per direction
+constexpr int change = 24;   // smallest change of a tile's mean, grey levels:
+                             // 4 times that of a noise of 15
 
-  void look(const cv::Mat &image, cv::Mat &now, int &side) const;
-};
+// As the calling thread has searched it last: CV_16SC1, a tile a pixel.
+thread_local cv::Mat searched;
 
-void Watch::look(const cv::Mat &image, cv::Mat &now, int &side) const {
-  side = std::max(least, (std::max(image.cols, image.rows) + across - 1) /
-                             across);
+// The sum of the samples of each tile; the side of one, in pixels.
+int look(const cv::Mat &image, cv::Mat &now) {
+  const int side = std::max(
+      smallest, (std::max(image.cols, image.rows) + across - 1) / across);
   now.create(image.rows / side, image.cols / side, CV_16SC1);
   const std::ptrdiff_t next = 3 * (side / samples);
   const auto sum = [&](const uchar *at) {
@@ -112,9 +111,8 @@ void Watch::look(const cv::Mat &image, cv::Mat &now, int &side) const {
       sums[column] = short(sum(at[0] + place) + sum(at[1] + place) +
                            sum(at[2] + place) + sum(at[3] + place));
   }
+  return side;
 }
-
-thread_local Watch watch;
 
 // The tiles that overlap a part of the image.
 cv::Rect tiles_of(const cv::Rect &part, int side, const cv::Mat &tiles) {
@@ -124,27 +122,20 @@ cv::Rect tiles_of(const cv::Rect &part, int side, const cv::Mat &tiles) {
   return cv::Rect(first, last) & cv::Rect(cv::Point(), tiles.size());
 }
 
-// The whole image has been searched.
-void note_all(Frame &here) {
-  int side = 0;
-  watch.look(here.image, watch.seen, side);
-}
-
 // Whether anything in WHOLE outside PARTS has changed since its search.
 // Records the parts as searched.
-bool has_changed(Frame &here, const cv::Rect &whole,
+bool has_changed(const Frame &here, const cv::Rect &whole,
                  const std::vector<cv::Rect> &parts) {
-  int side = 0;
-  watch.look(here.image, scratch.tiles, side);
-  if (scratch.tiles.size() != watch.seen.size())
+  const int side = look(here.image, scratch.tiles);
+  if (scratch.tiles.size() != searched.size())
     return true;
   for (const cv::Rect &part : parts) {
     const cv::Rect tiles = tiles_of(part, side, scratch.tiles);
-    scratch.tiles(tiles).copyTo(watch.seen(tiles));
+    scratch.tiles(tiles).copyTo(searched(tiles));
   }
   const cv::Rect tiles = tiles_of(whole, side, scratch.tiles);
-  return cv::norm(scratch.tiles(tiles), watch.seen(tiles), cv::NORM_INF) >
-         Watch::change * Watch::samples * Watch::samples;
+  return cv::norm(scratch.tiles(tiles), searched(tiles), cv::NORM_INF) >
+         change * samples * samples;
 }
 
 // The calling thread's last results, and their blur.
@@ -199,35 +190,68 @@ void drop_doubles(std::vector<vision_robot> &robots) {
 }
 
 bool are_sound(const vision_area *areas, int count) {
-  if (areas == nullptr || count < 1)
-    return false;
-  return std::all_of(areas, areas + count, [](const vision_area &area) {
-    return sound(area.centre) && area.reach >= 0.0 && area.reach <= 1e6;
-  });
+  return count > 0 &&
+         std::all_of(areas, areas + count, [](const vision_area &area) {
+           return sound(area.centre) && area.reach >= 0.0 &&
+                  area.reach <= 1e6;
+         });
 }
 
-// Finds the robots in the parts of the image given by CHOOSE, if it returns
-// true. FOLLOWED: stops at the number found last.
-template <typename Choice>
-vision_status find_robots(int slot, vision_marker marker,
-                          const vision_arena *arena, vision_robot *robots,
-                          int capacity, int *count, bool followed,
-                          Choice choose) {
+// The parts of WHOLE to search: all of it, or those near AREAS, which are none
+// if anything else in WHOLE has changed.
+std::vector<cv::Rect> parts_of(const Frame &here, vision_marker marker,
+                               const cv::Rect &whole,
+                               const vision_area *areas, int area_count) {
+  if (areas == nullptr) {
+    look(here.image, searched);
+    return {whole};
+  }
+  std::vector<cv::Rect> parts, bodies;
+  for (int k = 0; k < area_count; ++k) {
+    const vision_point &at = areas[k].centre;
+    const auto part = [&](double reach) {
+      return whole & cv::Rect(cv::Point(cvFloor(at.x - reach),
+                                        cvFloor(at.y - reach)),
+                              cv::Point(cvCeil(at.x + reach),
+                                        cvCeil(at.y + reach)));
+    };
+    const cv::Rect body = part(areas[k].reach);
+    if (!body.empty())
+      bodies.push_back(body);
+    const cv::Rect search = part(areas[k].reach - beside(marker, at));
+    if (is_worth_it(search))
+      parts.push_back(in_vectors(on_grid(search), whole));
+  }
+  if (has_changed(here, whole, bodies))
+    parts.clear();
+  return parts;
+}
+
+}  // namespace
+
+}  // namespace vision
+
+extern "C" vision_status
+vision_find_robots(int slot, vision_marker marker, const vision_arena *arena,
+                   vision_robot *robots, int capacity, int *count,
+                   const vision_area *areas, int area_count) {
+  using namespace vision;
   if (count != nullptr)
     *count = 0;
   return on_image(slot, [&](Frame &here) {
     if (robots == nullptr || count == nullptr || capacity < 1 ||
         (marker != VISION_MARKER_ARUCO && marker != VISION_MARKER_TRIANGLE) ||
-        (arena != nullptr && !sound(*arena)))
+        (arena != nullptr && !sound(*arena)) ||
+        (areas != nullptr && !are_sound(areas, area_count)))
       return fail(VISION_BAD_ARGUMENT, "cannot search for robots so");
 
     std::vector<vision_robot> found;
-    std::vector<cv::Rect> parts;
     Search search;
-    if (limit(here, arena, search) && choose(here, search.box, parts))
-      for (const cv::Rect &part : parts) {
+    if (limit(here, arena, search))
+      for (const cv::Rect &part :
+           parts_of(here, marker, search.box, areas, area_count)) {
         search.box = part;
-        if (followed)
+        if (areas != nullptr)
           expect_last(part, search);
         cv::cvtColor(here.image(part), scratch.grey, cv::COLOR_BGR2GRAY);
         cv::GaussianBlur(scratch.grey, scratch.smooth, cv::Size(5, 5), 0.8);
@@ -246,61 +270,3 @@ vision_status find_robots(int slot, vision_marker marker,
     return VISION_OK;
   });
 }
-
-}  // namespace
-
-}  // namespace vision
-
-using vision::fail;
-using vision::Frame;
-
-extern "C" {
-
-vision_status vision_find_robots(int slot, vision_marker marker,
-                                 const vision_arena *arena,
-                                 vision_robot *robots, int capacity,
-                                 int *count) {
-  return vision::find_robots(
-      slot, marker, arena, robots, capacity, count, false,
-      [](Frame &here, const cv::Rect &whole, std::vector<cv::Rect> &parts) {
-        parts.push_back(whole);
-        vision::note_all(here);
-        return true;
-      });
-}
-
-vision_status vision_follow_robots(int slot, vision_marker marker,
-                                   const vision_arena *arena,
-                                   const vision_area *areas, int area_count,
-                                   vision_robot *robots, int capacity,
-                                   int *count) {
-  if (count != nullptr)
-    *count = 0;
-  if (!vision::are_sound(areas, area_count))
-    return fail(VISION_BAD_ARGUMENT, "no areas to search in");
-  return vision::find_robots(
-      slot, marker, arena, robots, capacity, count, true,
-      [&](Frame &here, const cv::Rect &whole, std::vector<cv::Rect> &parts) {
-        std::vector<cv::Rect> bodies;
-        for (int k = 0; k < area_count; ++k) {
-          const auto part = [&](double reach) {
-            const vision_point &at = areas[k].centre;
-            return whole &
-                   cv::Rect(cv::Point(cvFloor(at.x - reach),
-                                      cvFloor(at.y - reach)),
-                            cv::Point(cvCeil(at.x + reach),
-                                      cvCeil(at.y + reach)));
-          };
-          const cv::Rect body = part(areas[k].reach);
-          if (!body.empty())
-            bodies.push_back(body);
-          const cv::Rect search =
-              part(areas[k].reach - vision::beside(marker, areas[k].centre));
-          if (vision::is_worth_it(search))
-            parts.push_back(vision::in_vectors(vision::on_grid(search), whole));
-        }
-        return !vision::has_changed(here, whole, bodies);
-      });
-}
-
-}  // extern "C"

@@ -67,6 +67,9 @@ inline Point apply(const Map &map, const Point &p) {
 
 using Quad = std::array<Point, 4>;  // clockwise as the image shows it
 
+// The map from the unit square to QUAD (Heckbert 1989).
+Map map_of_square(const Quad &quad);
+
 // The map from the corners FROM to the corners TO; affine if both are
 // parallelograms.
 Map map_of(const Quad &from, const Quad &to);

@@ -2,25 +2,21 @@
 // The source of images: a camera, a file, a URL or a GStreamer pipeline.
 
 #include "vision_internal.hpp"
+#include "vision_libraries.hpp"
 #include "vision_settings.hpp"
 
 #include <algorithm>
 #include <cctype>
 #include <cmath>
-#include <cstdarg>
-#include <cstdint>
 #include <cstdio>
 #include <cstdlib>
-#include <cstring>
 #include <string>
 
-#include <dlfcn.h>
 #include <errno.h>
 #include <fcntl.h>
 #include <linux/videodev2.h>
 #include <pthread.h>
 #include <sched.h>
-#include <strings.h>
 #include <sys/ioctl.h>
 #include <sys/stat.h>
 #include <time.h>
@@ -29,30 +25,12 @@
 #include <opencv2/core/utils/logger.hpp>
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
-#include <opencv2/videoio.hpp>
-#include <opencv2/videoio/registry.hpp>
 
 namespace vision {
 
 namespace {
 
-constexpr int open_limit = 3000;  // milliseconds, of a URL
-// Longer than the 2.5 s after which the supervisor closes a silent camera, so
-// that it says why; the first image comes after the opening.
-constexpr int read_limit = 3000;
 constexpr double still_rate = 25.0;  // images a second
-
-// What a URL may be opened with, as options of FFmpeg: streams that contain
-// their images, by protocols that lead to the host of the URL alone. Otherwise
-// whoever answers could name other hosts: by a redirect, or as the segments of
-// a playlist. A user's own (OPENCV_FFMPEG_CAPTURE_OPTIONS) remain.
-const struct {
-  const char *name, *value;
-} url_options[] = {
-    {"protocol_whitelist", "http,https,tls,tcp,udp,rtp"},
-    {"format_whitelist", "mpjpeg,mjpeg,jpeg_pipe,png_pipe,rtsp,rtp,mpegts,h264"
-                         ",hevc,m4v,mpegvideo,mov,matroska,flv,avi"},
-    {"max_redirects", "0"}};
 
 enum class Kind { none, still, video, live };
 
@@ -173,188 +151,6 @@ void ask_for_jpeg(Source &from, int fps) {
   }
 }
 
-// What may be secret in a URL as dots: up to the last @, so also in a password
-// that should have been encoded, and from the question mark on.
-std::string without_secrets(const std::string &name) {
-  std::string shown;
-  std::size_t done = 0;
-  for (std::size_t at = 0; (at = name.find("://", done)) != std::string::npos;
-       done = std::min(name.find_first_of(" \t\"'", at), name.size())) {
-    at += 3;
-    shown += name.substr(done, at - done);
-    std::string url = name.substr(at, name.find_first_of(" \t\"'", at) - at);
-    const std::size_t host = url.rfind('@');
-    if (host != std::string::npos)
-      url.replace(0, host, "...");
-    const std::size_t query = url.find('?');
-    if (query != std::string::npos)
-      url.replace(query + 1, std::string::npos, "...");
-    shown += url;
-  }
-  return shown + name.substr(done);
-}
-
-double seconds() {
-  timespec now;
-  clock_gettime(CLOCK_MONOTONIC, &now);
-  return double(now.tv_sec) + double(now.tv_nsec) * 1e-9;
-}
-
-// A function that OpenCV's video part calls or could call: to build against
-// its libraries would be a dependency for the sake of a message. Null if it
-// has none.
-template <typename Function> Function *of_opencv(const char *name) {
-  static void *const videoio = [] {
-    Dl_info info{};
-    dladdr(reinterpret_cast<void *>(cv::videoio_registry::hasBackend), &info);
-    return dlopen(info.dli_fname, RTLD_LAZY | RTLD_NOLOAD);
-  }();
-  return reinterpret_cast<Function *>(
-      videoio == nullptr ? nullptr : dlsym(videoio, name));
-}
-
-// Why the source that this thread opens does not open; empty if unknown.
-thread_local std::string cause;
-
-// Takes the cause from another program or library, or from the network.
-void take_cause(std::string text) {
-  for (char &letter : text)
-    if (letter < ' ' || letter > '~')
-      letter = ' ';
-  text.erase(text.find_last_not_of(' ') + 1);
-  if (!text.empty())
-    cause = without_secrets(text).substr(0, 70);
-}
-
-bool hears_ffmpeg = false;
-thread_local bool is_opening = false;
-
-// Is called by FFmpeg with each line of its log. The last warning, from the
-// last colon on, is the cause: "Connection to tcp://... failed: Connection
-// refused", "HTTP error 404 Not Found". Of what is no stream it says only that
-// it ends too soon or is not on a list, or nothing. A redirect of RTSP, which
-// no option prevents, is announced just before it is followed: from then on no
-// protocol is permitted.
-void hear_ffmpeg(void *context, int level, const char *format,
-                 va_list arguments) {
-  constexpr int warning = 24, information = 32, trace = 56;  // AV_LOG_...
-  static const std::string type = "header='Content-Type: ";
-  static const std::string location = "header='Location: ";
-  static const std::string redirected = "redirected to ";
-  static const auto set_option =
-      of_opencv<int(void *, const char *, const char *, int)>("av_opt_set");
-  if (!is_opening ||
-      (level > warning && level != information && level != trace))
-    return;
-  char line[300];
-  std::vsnprintf(line, sizeof line, format, arguments);
-  const std::string text = line;
-  if (cause.rfind(redirected, 0) == 0)
-    return;
-  const std::size_t target = text.find(": Redirecting to ");
-  if (strncasecmp(line, location.c_str(), location.size()) == 0) {
-    const std::string value = text.substr(location.size());
-    take_cause(redirected + value.substr(0, value.find('\'')));
-  } else if (level == information && target != std::string::npos) {
-    take_cause(redirected + text.substr(target + 17));
-    set_option(context, "protocol_whitelist", "none", 0);
-  } else if (level <= warning && text.rfind("Stream ends ", 0) != 0 &&
-             text.rfind("Format not ", 0) != 0) {
-    const std::size_t colon = text.rfind(": ");
-    take_cause(colon == std::string::npos ? text : text.substr(colon + 2));
-  } else if (strncasecmp(line, type.c_str(), type.size()) == 0) {
-    const std::string value = text.substr(type.size());
-    take_cause("HTTP 200 with " + value.substr(0, value.find_first_of(";'")) +
-               ", no stream of images");
-  }
-}
-
-// Opens a file or URL.
-bool start_ffmpeg(Source &from) {
-  is_opening = true;
-  const double begin = seconds();
-  const bool is_open = from.capture.open(
-      from.name, cv::CAP_FFMPEG,
-      {cv::CAP_PROP_OPEN_TIMEOUT_MSEC, open_limit,
-       cv::CAP_PROP_READ_TIMEOUT_MSEC, read_limit});
-  is_opening = false;
-  if (cause.empty() && hears_ffmpeg && from.kind == Kind::live)
-    cause = seconds() - begin >= open_limit * 1e-3 ? "no answer"
-                                                   : "no stream of images";
-  return is_open;
-}
-
-// Debian's package of a GStreamer element, by how its name begins.
-const struct {
-  const char *element, *package;
-} packages[] = {
-    {"app", "plugins-base"},          {"avdec_", "libav"},
-    {"decodebin", "plugins-base"},    {"h26", "plugins-bad"},
-    {"jpegparse", "plugins-bad"},     {"jpeg", "plugins-good"},
-    {"libcamera", "libcamera"},       {"multipart", "plugins-good"},
-    {"rtp", "plugins-good"},          {"rtsp", "plugins-good"},
-    {"udp", "plugins-good"},          {"uridecodebin", "plugins-base"},
-    {"v4l2", "plugins-good"},         {"videoconvert", "plugins-base"},
-    {"videorate", "plugins-base"},    {"videoscale", "plugins-base"},
-    {"videotestsrc", "plugins-base"}, {"x264enc", "plugins-ugly"}};
-
-struct G_Error {  // as in GLib
-  unsigned domain;
-  int code;
-  char *message;
-};
-
-// Whether GStreamer can make the pipeline. OpenCV would go on without an
-// element that is missing, and could then wait for ever.
-bool can_be_made(const std::string &pipeline) {
-  G_Error *error = nullptr;
-  const auto prepare =
-      of_opencv<int(int *, char ***, G_Error **)>("gst_init_check");
-  const auto make =
-      of_opencv<void *(const char *, G_Error **)>("gst_parse_launch");
-  const auto release = of_opencv<void(void *)>("gst_object_unref");
-  const auto forget = of_opencv<void(G_Error *)>("g_error_free");
-  if (prepare == nullptr || make == nullptr || release == nullptr ||
-      forget == nullptr || !prepare(nullptr, nullptr, nullptr))
-    return true;  // OpenCV loads it later, or not at all
-  if (void *const made = make(pipeline.c_str(), &error))
-    release(made);
-  if (error == nullptr)
-    return true;
-  std::string text = error->message;
-  forget(error);
-  const std::string missing = "no element \"";
-  if (text.rfind(missing, 0) == 0)
-    for (const auto &each : packages)
-      if (text.compare(missing.size(), std::strlen(each.element),
-                       each.element) == 0) {
-        text += std::string(", see gstreamer1.0-") + each.package;
-        break;
-      }
-  take_cause(text);
-  return false;
-}
-
-// In nanoseconds: of the start of a pipeline, and of its first image, which an
-// rtspsrc holds back for 2 s; then as of a URL.
-constexpr std::uint64_t pipeline_limit = 5000000000;
-std::uint64_t sample_limit = pipeline_limit;
-
-bool start_gstreamer(Source &from) {
-  if (!cv::videoio_registry::hasBackend(cv::CAP_GSTREAMER)) {
-    cause = "this OpenCV has no GStreamer";
-    return false;
-  }
-  if (!can_be_made(from.name))
-    return false;
-  if (from.name.find("appsink") == std::string::npos) {
-    cause = "a pipeline must end with appsink";
-    return false;
-  }
-  sample_limit = pipeline_limit;
-  return from.capture.open(from.name, cv::CAP_GSTREAMER);
-}
-
 bool start(Source &from, int fps) {
   const Time_Sharing while_threads_start;
   bool is_open;
@@ -362,9 +158,9 @@ bool start(Source &from, int fps) {
   if (is_number(from.name))
     is_open = from.capture.open(std::stoi(from.name), from.backend);
   else if (from.backend == cv::CAP_FFMPEG)
-    is_open = start_ffmpeg(from);
+    is_open = open_ffmpeg(from.capture, from.name, from.kind == Kind::live);
   else if (from.backend == cv::CAP_GSTREAMER)
-    is_open = start_gstreamer(from);
+    is_open = open_gstreamer(from.capture, from.name);
   else
     is_open = from.capture.open(from.name, from.backend);
   // the device as OpenCV opens it: for no other program
@@ -568,132 +364,53 @@ vision_status open_stream(Source &from, int fps) {
 
 }  // namespace vision
 
-using vision::fail;
-using vision::Frame;
-using vision::guarded;
-using vision::Kind;
-using vision::Source;
+using namespace vision;
 
 extern "C" {
 
-// OpenCV calls this instead of FFmpeg's function, because this library comes
-// first: before it opens anything, with a log of its own that prints.
-void av_log_set_callback(decltype(vision::hear_ffmpeg) *log) {
-  static const auto set_log =
-      vision::of_opencv<void(decltype(log))>("av_log_set_callback");
-  const char *const level = std::getenv("OPENCV_FFMPEG_LOGLEVEL");
-  const bool is_users = level != nullptr && std::strcmp(level, "-8") != 0;
-  vision::hears_ffmpeg = set_log != nullptr && log != nullptr && !is_users;
-  if (set_log != nullptr)
-    set_log(vision::hears_ffmpeg ? vision::hear_ffmpeg : log);
-}
-
-// The same: of a URL, with what it may be opened with.
-int avformat_open_input(void **context, const char *name, const void *format,
-                        void **options) {
-  static const auto open = vision::of_opencv<decltype(avformat_open_input)>(
-      "avformat_open_input");
-  static const auto set =
-      vision::of_opencv<int(void **, const char *, const char *, int)>(
-          "av_dict_set");
-  constexpr int keep = 16;  // AV_DICT_DONT_OVERWRITE
-  if (vision::source().kind == Kind::live)
-    for (const auto &each : vision::url_options)
-      set(options, each.name, each.value, keep);
-  return open(context, name, format, options);
-}
-
-// The same of GStreamer: OpenCV lets it wait for ever, from 4.7 on for 30 s.
-int gst_element_get_state(void *element, int *state, int *pending,
-                          std::uint64_t limit) {
-  constexpr int failure = 0, incomplete = 2, null = 1;  // as in GStreamer
-  static const auto get_state =
-      vision::of_opencv<decltype(gst_element_get_state)>(
-          "gst_element_get_state");
-  static const auto set_state =
-      vision::of_opencv<int(void *, int)>("gst_element_set_state");
-  const int result = get_state(element, state, pending,
-                               std::min(limit, vision::pipeline_limit));
-  if (result != incomplete || limit <= vision::pipeline_limit)
-    return result;
-  set_state(element, null);  // OpenCV releases it, which it may not otherwise
-  vision::cause = "no image in time";
-  return failure;
-}
-
-void *gst_app_sink_try_pull_sample(void *sink, std::uint64_t limit) {
-  static const auto pull =
-      vision::of_opencv<decltype(gst_app_sink_try_pull_sample)>(
-          "gst_app_sink_try_pull_sample");
-  void *const sample = pull(sink, std::min(limit, vision::sample_limit));
-  if (sample != nullptr)
-    vision::sample_limit = vision::read_limit * std::uint64_t{1000000};
-  return sample;
-}
-
-void *gst_app_sink_pull_sample(void *sink) {
-  return gst_app_sink_try_pull_sample(sink, vision::sample_limit);
-}
-
-// Where OpenCV reads an error.
-void gst_message_parse_error(void *message, vision::G_Error **error,
-                             char **details) {
-  static const auto parse =
-      vision::of_opencv<decltype(gst_message_parse_error)>(
-          "gst_message_parse_error");
-  parse(message, error, details);
-  if (error != nullptr && *error != nullptr)
-    vision::take_cause((*error)->message);
-}
-
-vision_status vision_open(const char *source, int width, int height,
-                          int fps) {
+vision_status vision_open(const char *name, int width, int height, int fps) {
   vision_close();
   const vision_status status = guarded([&] {
-    if (source == nullptr || *source == '\0' || width < 1 || height < 1 ||
+    if (name == nullptr || *name == '\0' || width < 1 || height < 1 ||
         width > VISION_MAX_SIDE || height > VISION_MAX_SIDE || fps < 1)
       return fail(VISION_BAD_ARGUMENT, "no source, or no size, or no rate");
-    vision::expect_images(width, height);
-    vision::frame(0);  // OpenCV's own settings
-    Source &here = vision::source();
-    here.name = source;
-    here.shown = vision::without_secrets(here.name);
+    expect_images(width, height);
+    frame(0);  // OpenCV's own settings
+    Source &here = source();
+    here.name = name;
+    here.shown = without_secrets(here.name);
     here.limit = {width, height};
     bool image_file = false;
-    vision::classify(here, image_file);
+    classify(here, image_file);
     if (here.kind == Kind::none)
       return fail(VISION_NO_CAMERA, "%s: no such file, device or URL",
                   here.shown.c_str());
-    return image_file ? vision::open_still(here)
-                      : vision::open_stream(here, fps);
+    return image_file ? open_still(here) : open_stream(here, fps);
   });
   if (status != VISION_OK)
-    guarded([] {
-      vision::close(vision::source());
-      return VISION_OK;
-    });
+    vision_close();
   return status;
 }
 
 vision_status vision_grab(int slot) {
   return guarded([&] {
-    Frame *const to = vision::frame(slot);
-    Source &from = vision::source();
+    Frame *const to = frame(slot);
+    Source &from = source();
     if (to == nullptr)
       return fail(VISION_BAD_ARGUMENT, "no slot %d", slot);
     if (from.kind == Kind::none)
       return fail(VISION_NO_CAMERA, "no source is open");
     if (from.kind == Kind::still) {
-      vision::wait(from);
+      wait(from);
       from.still.copyTo(to->image);
       to->content = Frame::Content::pixels;
       return VISION_OK;
     }
-    if (!vision::read(from))
+    if (!read(from))
       return fail(VISION_NO_IMAGE, "%s: no image came", from.shown.c_str());
     // read before it is due: restarting a file takes time
     if (from.kind == Kind::video)
-      vision::wait(from);
+      wait(from);
     if (from.is_jpeg) {
       std::swap(from.raw, to->jpeg);
       to->facts = from.facts;
@@ -701,7 +418,7 @@ vision_status vision_grab(int slot) {
       to->content = Frame::Content::jpeg;
       return VISION_OK;
     }
-    if (!vision::convert(from.raw, to->image, from.limit))
+    if (!convert(from.raw, to->image, from.limit))
       return fail(VISION_NO_IMAGE, "%s: an image of an unusable kind came",
                   from.shown.c_str());
     to->content = Frame::Content::pixels;
@@ -713,9 +430,9 @@ const char *vision_format(void) {
   static thread_local char text[80];
   text[0] = '\0';
   guarded([] {
-    const Source &from = vision::source();
+    const Source &from = source();
     if (from.kind == Kind::video || from.kind == Kind::live)
-      vision::describe(from, text, sizeof text);
+      describe(from, text, sizeof text);
     return VISION_OK;
   });
   return text;
@@ -723,7 +440,7 @@ const char *vision_format(void) {
 
 vision_status vision_close(void) {
   return guarded([] {
-    vision::close(vision::source());
+    close(source());
     return VISION_OK;
   });
 }

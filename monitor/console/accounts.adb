@@ -9,7 +9,7 @@ with Durations;
 with Exchanges;             use Exchanges;
 with GNAT.OS_Lib;
 with Jpeg_Headers;
-with Monitor.Positions;     use Monitor.Positions;
+with Monitor.Notices;       use Monitor.Notices;
 with Monitor.Protocol;      use Monitor.Protocol;
 with Mutexes;
 with Numerals;

@@ -59,7 +59,7 @@ end_stuck:
 }
 
 EVENT (Monitor_Session_Server_Allowed);
-EVENT (Failures_Stop_Failed);
+EVENT (Support_Tasks_Stop_Failed);
 
 /* Robot.Line, Monitor.Session, as far as the end needs them: the session's tasks
    are in session.pml, the robot's in orders.pml */
@@ -75,8 +75,8 @@ inline Refuse_Orders () {
 }
 
 /* The fall-back handler of a task that ends; runs in that task */
-typedef Failures_Handlers_Handler_Type { bool Used };
-PROTECTED (Failures_Handlers_Handler);
+typedef Failures_Handler_Type { bool Used };
+PROTECTED (Failures_Handler);
 
 inline Stop_Blindly () {
    /*: Robot.Serial_Line.Stop_Blindly */
@@ -86,13 +86,13 @@ inline Stop_Blindly () {
 inline Ended (which) {
    atomic {
       /*: Handler.Ended */
-      Failures_Handlers_Handler.Used = true;
+      Failures_Handler.Used = true;
       Put_Line ();
       if
       :: which == Of_Stop ->
          Stop_Blindly ();
 #ifndef MUTANT_FAILED_STOP_NOT_TOLD
-         Set_Event (Failures_Stop_Failed)
+         Set_Event (Support_Tasks_Stop_Failed)
 #endif
       :: else ->
          /*: Report_Failure */
@@ -105,7 +105,7 @@ inline Ended (which) {
 active proctype Any_Task () provided (!Left)
 {
    mtype:task which;
-   /*: once Failures.Handlers.Handler.Ended */
+   /*: once Failures.Handler.Ended */
    if
    :: which = Of_Stop
    :: which = Of_Main
@@ -145,7 +145,7 @@ active proctype Supervisor () provided (!Left && Failed != Of_Main)
    /*: Wait_Event (Listening) in session */
    Put_Line ();
    Put_Line ();
-   Wait_For_Work (Failures_Stop_Failed);
+   Wait_For_Work (Support_Tasks_Stop_Failed);
    Refuse_Orders ();
    /* its last lines are written meanwhile */
    /*: delay */

@@ -7,18 +7,18 @@
                              and the figure itself are proved by contract */
 #define LEAVE_TRIES   1   /* the code's 3: one less than MAX_FAILURES */
 
-/* Robot.Users: the tasks that use the line */
-#define Robot_Users_Monitor_Lost   0   /* event */
-#define Robot_Users_Start_WD       1   /* event */
-#define Robot_Users_Move           2   /* event */
-#define Robot_Users_Mission        3   /* event */
-#define Robot_Users_Battery        4   /* event */
-#define Robot_Users_Open_Com       5   /* event */
-#define Robot_Users_Start          6   /* event */
-#define Robot_Users_Reset          7   /* event */
+/* The events of the tasks that use the line */
+#define Robot_Line_Monitor_Lost   0   /* event */
+#define Robot_Line_Start_WD       1   /* event */
+#define Robot_Line_Move           2   /* event */
+#define Robot_Line_Mission        3   /* event */
+#define Robot_Line_Battery        4   /* event */
+#define Robot_Line_Open_Com       5   /* event */
+#define Robot_Line_Start          6   /* event */
+#define Robot_Line_Reset          7   /* event */
 #define NOBODY                     8
-EVENTS (Robot_Users, NOBODY);
-#define Granted(who)  Robot_Users [who]
+EVENTS (Robot_Line, NOBODY);
+#define Granted(who)  Robot_Line [who]
 
 mtype:source  = { Of_End, Of_Stop, Of_Reload, Of_Movement, Of_Mission,
                   Of_Battery, Of_Order, Of_Ping };
@@ -136,33 +136,33 @@ inline Choose () {
 #endif
    :: else ->
       if
-      :: L.Ends -> best = Of_End; to = Robot_Users_Monitor_Lost
+      :: L.Ends -> best = Of_End; to = Robot_Line_Monitor_Lost
       :: else ->
          if
-         :: Stop_Goes -> best = Of_Stop; to = Robot_Users_Move
+         :: Stop_Goes -> best = Of_Stop; to = Robot_Line_Move
          :: !Stop_Goes && Reload_Goes ->
-            best = Of_Reload; to = Robot_Users_Start_WD
+            best = Of_Reload; to = Robot_Line_Start_WD
          :: !Stop_Goes && !Reload_Goes && Move_Goes ->
-            best = Of_Movement; to = Robot_Users_Move
+            best = Of_Movement; to = Robot_Line_Move
          :: else ->
             if
 #ifdef MISSION
-            :: Mission_Goes -> best = Of_Mission; to = Robot_Users_Mission
+            :: Mission_Goes -> best = Of_Mission; to = Robot_Line_Mission
             :: !Mission_Goes && Other_Goes ->
 #else
             :: L.Battery_Due && !Is_Quiet ->
-               best = Of_Battery; to = Robot_Users_Battery
+               best = Of_Battery; to = Robot_Line_Battery
             :: !(L.Battery_Due && !Is_Quiet) && Other_Goes ->
 #endif
                best = Of_Order;
-               to = (change == Start -> Robot_Users_Start :
-                    (change == Start_Watchdog -> Robot_Users_Start_WD :
-                    (change == Reset -> Robot_Users_Reset :
-                     Robot_Users_Open_Com)))
+               to = (change == Start -> Robot_Line_Start :
+                    (change == Start_Watchdog -> Robot_Line_Start_WD :
+                    (change == Reset -> Robot_Line_Reset :
+                     Robot_Line_Open_Com)))
 #ifndef MISSION
             :: !(L.Battery_Due && !Is_Quiet) && !Other_Goes &&
                L.Ping_Due && !Is_Quiet ->
-               best = Of_Ping; to = Robot_Users_Open_Com
+               best = Of_Ping; to = Robot_Line_Open_Com
 #endif
             :: else
             fi
@@ -423,7 +423,7 @@ inline Take_Line (who) {
    more, waits again */
 inline Wake () {
    if
-   :: to != NOBODY -> Set_Event (Robot_Users [to]); to = NOBODY
+   :: to != NOBODY -> Set_Event (Robot_Line [to]); to = NOBODY
    :: else
    fi
 }
@@ -480,9 +480,9 @@ inline Finish_Line (who) {
 /* What a task says of its request. After a start the periodic tasks look */
 inline Tell_Of_Start () {
 #ifndef MUTANT_BATTERY_NOT_BEGUN
-   Set_Event (Robot_Users [Robot_Users_Battery]);
+   Set_Event (Robot_Line [Robot_Line_Battery]);
 #endif
-   Set_Event (Robot_Users [Robot_Users_Open_Com])
+   Set_Event (Robot_Line [Robot_Line_Open_Com])
 }
 inline Tell_Level () {
    if
@@ -527,7 +527,7 @@ inline Give_Back (who) {
    it. The time comes where due is true; there is one where has_time is */
 inline Serve (who) {
    atomic {
-      Wait_For_Work (Robot_Users [who]);
+      Wait_For_Work (Robot_Line [who]);
       Take_Up (who)
    };
    Give_Back (who);
@@ -537,7 +537,7 @@ not_mine:
 
 inline Serve_Or_Look (who, due, has_time) {
    atomic {
-      Wait_Until_Due (Robot_Users [who], timed && due);
+      Wait_Until_Due (Robot_Line [who], timed && due);
       if
       :: was_set -> was_set = false; Take_Up (who)
       :: else -> goto not_mine

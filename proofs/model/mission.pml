@@ -70,7 +70,7 @@ active proctype Th_Open_Com_Robot ()
 {
    TIMED_USER;
 wait:
-   Serve_Or_Look (Robot_Users_Open_Com, false, false)
+   Serve_Or_Look (Robot_Line_Open_Com, false, false)
 }
 
 #endif
@@ -78,7 +78,7 @@ active proctype Th_Move ()
 {
    USER;
 wait:
-   Serve (Robot_Users_Move)
+   Serve (Robot_Line_Move)
 }
 
 /* Missions.Requests: the one place of a mission, that waits or is under way */
@@ -124,7 +124,7 @@ end_wait:
 
 /* Whether the request waits too long is free */
 inline Ask (what) {
-   /*: Line.Line.Ask */
+   /*: Line.Line.Put */
    if
    :: L.Too_Old = true
    :: L.Too_Old = false
@@ -244,10 +244,10 @@ look:
    };
 turn:
    atomic {
-      Wait_Event (Robot_Users [Robot_Users_Mission]);
-      Take_Up (Robot_Users_Mission)
+      Wait_Event (Robot_Line [Robot_Line_Mission]);
+      Take_Up (Robot_Line_Mission)
    };
-   Give_Back (Robot_Users_Mission);
+   Give_Back (Robot_Line_Mission);
 not_mine:
    if :: L.Asks -> goto turn :: else fi;
 next:
@@ -420,9 +420,9 @@ active proctype Th_Server ()
     && Is_Awaited (Monitor_Session_Receive_Begins)
     && Is_Awaited (Missions_Requests_Arrived)
 #if defined (CHANGES) || defined (ASKS)
-    && Is_Awaited (Robot_Users [Robot_Users_Open_Com])
+    && Is_Awaited (Robot_Line [Robot_Line_Open_Com])
 #endif
-    && Is_Awaited (Robot_Users [Robot_Users_Move]));
+    && Is_Awaited (Robot_Line [Robot_Line_Move]));
 end_server:
    do
    :: session >= 1 + (LATER > 0) -> break
@@ -487,14 +487,14 @@ end_stays:
          L.Last_Hand = 0;
          L.Last_Change = 0
       }
-      /*: Line.Line.Ask */
+      /*: Line.Line.Put */
       d_step { L.Ends = true; Choose (); best = 0 }
       Wake ();
 turn: atomic {
-         Wait_Event (Robot_Users [Robot_Users_Monitor_Lost]);
-         Take_Up (Robot_Users_Monitor_Lost)
+         Wait_Event (Robot_Line [Robot_Line_Monitor_Lost]);
+         Take_Up (Robot_Line_Monitor_Lost)
       };
-      Give_Back (Robot_Users_Monitor_Lost);
+      Give_Back (Robot_Line_Monitor_Lost);
 not_mine: if :: L.Ends -> goto turn :: else fi;
       Nobody = true;
       Wait_Event (Monitor_Session_Receive_Ended);

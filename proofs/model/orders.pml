@@ -49,7 +49,7 @@ active proctype Th_Open_Com_Robot ()
    TIMED_USER;
    /*: whole */
 wait:
-   Serve_Or_Look (Robot_Users_Open_Com, false, false)
+   Serve_Or_Look (Robot_Line_Open_Com, false, false)
 }
 
 active proctype Th_Start_Robot ()
@@ -57,7 +57,7 @@ active proctype Th_Start_Robot ()
    USER;
    /*: whole */
 wait:
-   Serve (Robot_Users_Start)
+   Serve (Robot_Line_Start)
 }
 
 active proctype Th_Start_Robot_WD ()
@@ -65,7 +65,7 @@ active proctype Th_Start_Robot_WD ()
    TIMED_USER;
    /*: whole */
 wait:
-   Serve_Or_Look (Robot_Users_Start_WD, false, false)
+   Serve_Or_Look (Robot_Line_Start_WD, false, false)
 }
 
 active proctype Th_Reset_Robot ()
@@ -73,7 +73,7 @@ active proctype Th_Reset_Robot ()
    USER;
    /*: whole */
 wait:
-   Serve (Robot_Users_Reset)
+   Serve (Robot_Line_Reset)
 }
 
 active proctype Th_Move ()
@@ -81,7 +81,7 @@ active proctype Th_Move ()
    USER;
    /*: whole */
 wait:
-   Serve (Robot_Users_Move)
+   Serve (Robot_Line_Move)
 }
 
 bool Free = true;         /* the session: see session.pml */
@@ -120,7 +120,7 @@ active proctype Th_Receive_From_Mon ()
             fi
          };
 #ifdef MUTANT_EVENT_BEFORE_PUT
-         Set_Event (Robot_Users [Robot_Users_Move]);
+         Set_Event (Robot_Line [Robot_Line_Move]);
 #endif
          /*: Line.Line.Put */
          d_step {
@@ -154,11 +154,11 @@ active proctype Th_Server ()
    byte session;
    (Is_Awaited (Monitor_Session_Watch_Begins)
     && Is_Awaited (Monitor_Session_Receive_Begins)
-    && Is_Awaited (Robot_Users [Robot_Users_Open_Com])
-    && Is_Awaited (Robot_Users [Robot_Users_Start])
-    && Is_Awaited (Robot_Users [Robot_Users_Start_WD])
-    && Is_Awaited (Robot_Users [Robot_Users_Reset])
-    && Is_Awaited (Robot_Users [Robot_Users_Move]));
+    && Is_Awaited (Robot_Line [Robot_Line_Open_Com])
+    && Is_Awaited (Robot_Line [Robot_Line_Start])
+    && Is_Awaited (Robot_Line [Robot_Line_Start_WD])
+    && Is_Awaited (Robot_Line [Robot_Line_Reset])
+    && Is_Awaited (Robot_Line [Robot_Line_Move]));
    do
    :: session < SESSIONS ->
       /* Begin_Active, Admit: see session.pml */
@@ -217,14 +217,14 @@ active proctype Th_Com_Mon_Perdue ()
       }
 #endif
 #ifndef MUTANT_NO_SAFE_STATE
-      /*: Line.Line.Ask */
+      /*: Line.Line.Put */
       d_step { L.Ends = true; Choose (); best = 0 }
       Wake ();
 turn: atomic {
-         Wait_Event (Robot_Users [Robot_Users_Monitor_Lost]);
-         Take_Up (Robot_Users_Monitor_Lost)
+         Wait_Event (Robot_Line [Robot_Line_Monitor_Lost]);
+         Take_Up (Robot_Line_Monitor_Lost)
       };
-      Give_Back (Robot_Users_Monitor_Lost);
+      Give_Back (Robot_Line_Monitor_Lost);
 not_mine: if :: L.Ends -> goto turn :: else fi;
 #endif
       Nobody = true;

@@ -89,21 +89,21 @@ active proctype Th_Start_Robot_WD ()
 {
    TIMED_USER;
 wait:
-   Serve_Or_Look (Robot_Users_Start_WD, L.Reload_Due == Past, In_Watchdog_Mode)
+   Serve_Or_Look (Robot_Line_Start_WD, L.Reload_Due == Past, In_Watchdog_Mode)
 }
 
 active proctype Th_Open_Com_Robot ()
 {
    TIMED_USER;
 wait:
-   Serve_Or_Look (Robot_Users_Open_Com, L.Ping_Due, L.Open)
+   Serve_Or_Look (Robot_Line_Open_Com, L.Ping_Due, L.Open)
 }
 
 active proctype Th_Reset_Robot ()
 {
    USER;
 wait:
-   Serve (Robot_Users_Reset)
+   Serve (Robot_Line_Reset)
 }
 
 #ifdef RELOAD
@@ -112,7 +112,7 @@ active proctype Th_Move ()
 {
    USER;
 wait:
-   Serve (Robot_Users_Move)
+   Serve (Robot_Line_Move)
 }
 #endif
 #else
@@ -120,7 +120,7 @@ active proctype Th_Start_Robot ()
 {
    USER;
 wait:
-   Serve (Robot_Users_Start)
+   Serve (Robot_Line_Start)
 }
 
 #ifndef KEEP_ALIVE
@@ -129,7 +129,7 @@ active proctype Th_Battery_Level ()
    TIMED_USER;
    /*: whole */
 wait:
-   Serve_Or_Look (Robot_Users_Battery, L.Battery_Due, L.Mode != Not_Started)
+   Serve_Or_Look (Robot_Line_Battery, L.Battery_Due, L.Mode != Not_Started)
 }
 #endif
 #endif

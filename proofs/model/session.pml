@@ -68,7 +68,7 @@ active proctype Th_Server ()
    /*: delay */
    known = Free;
 end_wait:
-   /*: Gate.Wait */
+   /*: Monitor.Sockets.Poll */
    if
    :: atomic { Waker -> Waker = false }
    :: atomic {
@@ -209,7 +209,7 @@ active proctype Th_Com_Mon_Perdue ()
       /*: Set_Event (Outbox.Room) in outbox,
           Set_Event (Outbox.Arena_Room) in vision,
           Robot.Line.Begin_Session in orders, Robot.Line.Ask in orders */
-      /*: Wait_Event (Robot_Users [Robot_Users_Monitor_Lost]) in orders,
+      /*: Wait_Event (Robot_Line [Robot_Line_Monitor_Lost]) in orders,
           Robot.Service.Serve in orders + */
       /*: Vision.State.Store.Begin_Session in vision,
           Vision.Frames.End_Delivery in vision */
@@ -249,7 +249,7 @@ active proctype Th_Com_Mon_Perdue ()
 #ifdef MUTANT_WOKEN_BEFORE_STATE
       skip
 #elif !defined (MUTANT_SERVER_NOT_WOKEN)
-      /*: Gate.Wake_Server */
+      /*: Event_Counters.Add */
       Waker = true
 #endif
    od

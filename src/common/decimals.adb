@@ -2,39 +2,9 @@
 
 package body Decimals is
 
-   subtype Exponent is Natural range 0 .. Max_Digits - 1;
-
-   function Power (E : Exponent) return Positive is
-     (case E is
-         when 0 => 1,
-         when 1 => 10,
-         when 2 => 100,
-         when 3 => 1_000,
-         when 4 => 10_000,
-         when 5 => 100_000,
-         when 6 => 1_000_000,
-         when 7 => 10_000_000);
-
-   procedure Prove_Next_Digit (N : Number; E : Exponent)
-   with
-     Ghost,
-     Pre  => E > 0,
-     Post => N / Power (E) * 10 + N / Power (E - 1) mod 10
-               = N / Power (E - 1);
-   --  N / Power (E) with one more digit of N is N / Power (E - 1).
-
-   procedure Prove_Longer_Value
-     (T : Text; First : Positive; Last : Natural)
-   with
-     Ghost,
-     Pre  => First >= T'First
-       and then First < Last
-       and then Last <= T'Last
-       and then Last - First < Max_Digits
-       and then Are_Digits (T, First, Last),
-     Post => Value (T, First, Last)
-               = Value (T, First, Last - 1) * 10 + Digit_Value (T (Last));
-   --  The value of a number with one more digit.
+   function Power (E : Natural) return Positive is
+     (if E = 0 then 1 else Largest (E) + 1)
+   with Pre => E < Max_Digits;
 
    procedure Append
      (N     : Number;
@@ -61,9 +31,9 @@ package body Decimals is
              (Character'Pos ('0') + N / Power (Count - I) mod 10);
          pragma Assert (Are_Digits (Into, Start + 1, Start + I));
          if I > 1 then
-            Prove_Next_Digit (N, Count - I + 1);
+            pragma Assert
+              (N / Power (Count - I + 1) = N / Power (Count - I) / 10);
             Prove_Same_Value (Previous, Into, Start + 1, Start + I - 1);
-            Prove_Longer_Value (Into, Start + 1, Start + I);
          end if;
          pragma Loop_Invariant (Are_Digits (Into, Start + 1, Start + I));
          pragma Loop_Invariant
@@ -76,27 +46,13 @@ package body Decimals is
       Last := Start + Count;
    end Append;
 
-   procedure Prove_Longer_Value
-     (T : Text; First : Positive; Last : Natural)
-   is null;
-
-   procedure Prove_Next_Digit (N : Number; E : Exponent) is
-   begin
-      case E is
-         when 0 => null;
-         when 1 => pragma Assert (N / 10 * 10 + N mod 10 = N);
-         when 2 => pragma Assert (N / 100 = N / 10 / 10);
-         when 3 => pragma Assert (N / 1_000 = N / 100 / 10);
-         when 4 => pragma Assert (N / 10_000 = N / 1_000 / 10);
-         when 5 => pragma Assert (N / 100_000 = N / 10_000 / 10);
-         when 6 => pragma Assert (N / 1_000_000 = N / 100_000 / 10);
-         when 7 => pragma Assert (N / 10_000_000 = N / 1_000_000 / 10);
-      end case;
-   end Prove_Next_Digit;
-
    procedure Prove_Same_Value
-     (A, B : Text; First : Positive; Last : Natural)
-   is null;
+     (A, B : Text; First : Positive; Last : Natural) is
+   begin
+      if Last > First then
+         Prove_Same_Value (A, B, First, Last - 1);
+      end if;
+   end Prove_Same_Value;
 
    function Saturated_Value
      (T : Text; First : Positive; Last : Natural) return Number

@@ -17,6 +17,13 @@ package Options with SPARK_Mode is
    type Level is (Error, Warning, Info, Debug);
    --  Levels of the log, most serious first
 
+   function Name_Of (L : Level) return String is
+     (case L is
+         when Error   => "error",
+         when Warning => "warning",
+         when Info    => "info",
+         when Debug   => "debug");
+
    subtype Port_Number is Natural range 0 .. 65_535;
    subtype Pixel_Count is Positive range 16 .. 4_096;
    subtype Rate is Positive range 1 .. 100;

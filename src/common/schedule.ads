@@ -3,6 +3,7 @@
 --  follow from them. No other unit defines such a number.
 
 with Ada.Real_Time; use Ada.Real_Time;
+with Ada.Strings.Fixed;
 with System;        use System;
 
 package Schedule with SPARK_Mode is
@@ -74,17 +75,18 @@ package Schedule with SPARK_Mode is
 
    subtype Task_Name is Thread_Name range Th_Stop .. Th_Console;
 
+   subtype Real_Time_Task is Task_Name range Th_Stop .. Th_Camera_Control;
+   --  Pinned to the processor of --cpu, if given
+
    type Row is record
-      Name      : String (1 .. 17);
+      Name     : String (1 .. 17);
       --  padded with blanks; the name in the design report, if it is there
-      Priority  : System.Priority;
-      Report    : Any_Priority;
+      Priority : System.Priority;
+      Report   : Any_Priority;
       --  priority of the report's thread with this name or this work
-      Real_Time : Boolean;
-      --  pinned to the processor of --cpu, if given
-      Period    : Time_Span;
+      Period   : Time_Span;
       --  between releases; On_Event: released by an event, sporadic
-      Deadline  : Time_Span;
+      Deadline : Time_Span;
       --  for the interval named at the row; Unbounded: no requirement
    end record;
 
@@ -95,81 +97,73 @@ package Schedule with SPARK_Mode is
 
    Table : constant array (Task_Name) of Row :=
      (Th_Stop =>
-        ("th_stop          ", Stop_Priority, No_Thread, True,
-         On_Event, Unbounded),
+        ("th_stop          ", Stop_Priority, No_Thread, On_Event, Unbounded),
       --  ends the process in order, even under load
       Th_Start_Robot_WD =>
-        ("th_startRobotWD  ", Reload_Priority, 20, True,
+        ("th_startRobotWD  ", Reload_Priority, 20,
          Reload_Period, Milliseconds (50)),
       --  F11: the tightest time window of all
       Th_Move =>
-        ("th_move          ", Move_Priority, 20, True,
-         On_Event, Milliseconds (5)),
+        ("th_move          ", Move_Priority, 20, On_Event, Milliseconds (5)),
       --  F12: from command to the first byte of its frame. Above the reception
       --  of further commands
       Th_Open_Com_Robot =>
-        ("th_openComRobot  ", Open_Priority, 20, True,
-         Keep_Alive_Period, Unbounded),
+        ("th_openComRobot  ", Open_Priority, 20, Keep_Alive_Period, Unbounded),
       --  pings an idle line. What is done in an exchange is not put off by
       --  what needs no line
       Th_Start_Robot =>
-        ("th_startRobot    ", Open_Priority, 20, True,
-         On_Event, Unbounded),
+        ("th_startRobot    ", Open_Priority, 20, On_Event, Unbounded),
       Th_Reset_Robot =>
-        ("th_resetRobot    ", Open_Priority, 20, True,
-         On_Event, Unbounded),
+        ("th_resetRobot    ", Open_Priority, 20, On_Event, Unbounded),
       Th_Battery_Level =>
-        ("th_batteryLevel  ", Battery_Priority, 20, True,
+        ("th_batteryLevel  ", Battery_Priority, 20,
          Battery_Period, Milliseconds (20)),
       --  F13: its jitter, which must not include image processing
       Th_Server =>
-        ("th_server        ", Server_Priority, 30, True,
+        ("th_server        ", Server_Priority, 30,
          On_Event, Milliseconds (50)),
       --  F2: admission of a new client
       Th_Com_Mon_Perdue =>
-        ("th_comMonPerdue  ", Lost_Priority, 22, True,
+        ("th_comMonPerdue  ", Lost_Priority, 22,
          Link_Period, Milliseconds (100)),
       --  F6: from the loss to the stop at the robot. Above image sending
       Th_Receive_From_Mon =>
-        ("th_receiveFromMon", Receive_Priority, 25, True,
+        ("th_receiveFromMon", Receive_Priority, 25,
          On_Event, Milliseconds (10)),
       --  F4: from command to answer, for commands that do not need the robot
       Th_Mission =>
-        ("th_mission       ", Mission_Priority, No_Thread, True,
+        ("th_mission       ", Mission_Priority, No_Thread,
          On_Event, Milliseconds (100)),
       --  from an image to the first byte of the order that follows from it.
       --  Below the user's orders and the reload, above the images: while a
       --  mission is under way it looks at each position, and every
       --  Mission_Period
       Th_Send_To_Mon =>
-        ("th_sendToMon     ", Send_Priority, 22, True,
-         On_Event, Milliseconds (10)),
+        ("th_sendToMon     ", Send_Priority, 22, On_Event, Milliseconds (10)),
       --  F4: from the robot's answer, or an unsolicited message, to sending.
       --  Ends the hold on unsolicited messages
       Th_Camera_Control =>
-        ("th_cameraControl ", Camera_Control_Priority, 20, True,
+        ("th_cameraControl ", Camera_Control_Priority, 20,
          On_Event, Unbounded),
       Th_Capture_Img =>
-        ("th_captureImg    ", Capture_Priority, 20, False,
+        ("th_captureImg    ", Capture_Priority, 20,
          On_Event, Milliseconds (20)),
       --  F15: its jitter; its period is set by --fps. Below the robot's tasks:
       --  an image takes milliseconds, each of them microseconds
       Th_Arene =>
-        ("th_arene         ", Arena_Priority, 20, False,
-         On_Event, Unbounded),
+        ("th_arene         ", Arena_Priority, 20, On_Event, Unbounded),
       --  takes tens of milliseconds; the periodic images pause meanwhile
       Th_Camera =>
-        ("th_camera        ", Camera_Priority, 20, False,
-         On_Event, Unbounded),
+        ("th_camera        ", Camera_Priority, 20, On_Event, Unbounded),
       --  owns the camera
       Th_Console =>
-        ("th_console       ", Console_Priority, No_Thread, False,
+        ("th_console       ", Console_Priority, No_Thread,
          On_Event, Unbounded));
       --  writes the log
 
-   function Name_Of (Who : Task_Name) return String
-   with Post => Name_Of'Result'First = 1
-     and then Name_Of'Result'Length in 1 .. 17;
+   function Name_Of (Who : Task_Name) return String is
+     (Ada.Strings.Fixed.Trim (Table (Who).Name, Ada.Strings.Right))
+   with Post => Name_Of'Result'Length <= 17;
    --  Without the blanks
 
    --  Ceilings: the highest priority of the tasks that call the object.

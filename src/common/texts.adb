@@ -19,7 +19,9 @@ package body Texts with SPARK_Mode is
       T.Length := Start + Count;
    end Append;
 
-   procedure Append (T : in out Text; Value : Integer) is
+   procedure Append
+     (T : in out Text; Value : Integer; Width : Positive := 1)
+   is
       subtype Digit_Place is Integer range 1 .. 10;
       Digit : String (Digit_Place) := (others => '0');
       First : Digit_Place;
@@ -30,12 +32,9 @@ package body Texts with SPARK_Mode is
          Digit (Place) := Character'Val (Character'Pos ('0') - Rest rem 10);
          First := Place;
          Rest := Rest / 10;
-         exit when Rest = 0;
-         pragma Loop_Invariant (Rest < 0);
-         pragma Loop_Invariant
-           (for all I in Digit'Range => Digit (I) in '0' .. '9');
+         exit when Rest = 0 and then Place <= 11 - Width;
+         pragma Loop_Invariant (Rest <= 0);
       end loop;
-      pragma Assert (for all I in Digit'Range => Digit (I) in '0' .. '9');
       if Value < 0 then
          Append (T, "-");
       end if;

@@ -31,18 +31,16 @@ package Texts with SPARK_Mode, Pure is
                      Value (Value'First + (I - T'Old.Length - 1)));
    --  T followed by Value, truncated to Max_Length
 
-   procedure Append (T : in out Text; Value : Integer)
+   procedure Append
+     (T : in out Text; Value : Integer; Width : Positive := 1)
    with
+     Pre  => Width <= 10,
      Post => T.Length >= T'Old.Length
        and then T.Length - T'Old.Length <= 11
        and then (for all I in 1 .. T'Old.Length =>
-                   T.Data (I) = T'Old.Data (I))
-       and then (for all I in T'Old.Length + 1 .. T.Length =>
-                   T.Data (I) in '0' .. '9'
-                   or else (Value < 0
-                            and then I = T'Old.Length + 1
-                            and then T.Data (I) = '-'));
-   --  T followed by Value in decimal, with a minus sign if negative
+                   T.Data (I) = T'Old.Data (I));
+   --  T followed by Value in decimal, with a minus sign if negative, and zeros
+   --  before it up to Width digits
 
    function To_Text (Value : String) return Text
    with

@@ -1,5 +1,6 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
 
+with Ada.Strings.Fixed; use Ada.Strings.Fixed;
 with Admission;
 with Admission.Secret_Files;
 with Console;
@@ -15,15 +16,9 @@ package body Checks with SPARK_Mode is
    use type Process.Privileges.Scheduling;
    use type Vision.Library.Status;
 
-   function Contains (Text, Part : String) return Boolean is
-     (for some I in Text'Range =>
-        Text'Last - I >= Part'Length - 1
-        and then Text (I .. I + (Part'Length - 1)) = Part)
-   with Pre => Text'First = 1 and then Part'Length in 1 .. 80;
-
    Program   : constant Texts.Text := Process.Program;
    Installed : constant Boolean :=
-     not Contains (Texts.Image (Program), "/")
+     Index (Texts.Image (Program), "/") = 0
      or else (Program.Length >= 5 and then Program.Data (1 .. 5) = "/usr/");
    --  Not in a clone: there it is called with a path
 
@@ -46,10 +41,7 @@ package body Checks with SPARK_Mode is
    begin
       Console.Put
         ((if Good then "ok      " else "not ok  ") & Line, Written);
-      All_Well := All_Well and Good;
-      if not Written then
-         All_Well := False;
-      end if;
+      All_Well := All_Well and Good and Written;
    end Report;
 
    procedure Check_Line (Path : Texts.Text; All_Well : in out Boolean) is
@@ -114,7 +106,7 @@ package body Checks with SPARK_Mode is
       Report
         (True,
          "kernel " & Texts.Image (Kernel) & ": "
-         & (if Contains (Texts.Image (Version), "PREEMPT_RT") then ""
+         & (if Index (Texts.Image (Version), "PREEMPT_RT") > 0 then ""
             else "not ") & "PREEMPT_RT",
          All_Well);
    end Check_Machine;
@@ -154,16 +146,12 @@ package body Checks with SPARK_Mode is
               & In_Settings & ")"),
          All_Well);
 
-      Admission.Secret_Files.Read_Token (Chosen.Token_File, Token, Reason);
-      if Token.Length > 0 then
+      if Chosen.Token_File.Length > 0 then
+         Admission.Secret_Files.Read_Token (Chosen.Token_File, Token, Reason);
+         Good := Token.Length > 0;
          Report
-           (True, "token file " & Texts.Image (Chosen.Token_File)
-            & ": holds a token",
-            All_Well);
-      elsif Chosen.Token_File.Length > 0 then
-         Report
-           (False, "token file " & Texts.Image (Chosen.Token_File) & ": "
-            & Texts.Image (Reason),
+           (Good, "token file " & Texts.Image (Chosen.Token_File) & ": "
+            & (if Good then "holds a token" else Texts.Image (Reason)),
             All_Well);
       end if;
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The handlers of Crashes. In C++, as they may run on a stack that is used up
-// (-fstack-check would fault again), and read the processor's registers; all
-// that they call is safe in a signal handler.
+// The handlers of crashes (Failures). In C++, as they may run on a
+// stack that is used up (-fstack-check would fault again), and read the
+// processor's registers; all that they call is safe in a signal handler.
 
 #include <atomic>
 #include <csignal>

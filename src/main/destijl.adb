@@ -3,8 +3,6 @@
 
 with Ada.Exceptions;
 with Console;
-with Early_Answers;
-pragma Unreferenced (Early_Answers);
 with Process.Signals;
 with Schedule;
 with Supervisor;

@@ -5,7 +5,6 @@ with Checks;
 with Command_Lines;
 with Commands;
 with Console;
-with Crashes;
 with Failures;
 with Journal;
 with Monitor.Session;
@@ -15,7 +14,6 @@ with Process.Threads;
 with Robot.Line;
 with Robot.Serial_Line;
 with Schedule;
-with Settings;
 with Texts;
 with Trace;
 
@@ -33,9 +31,6 @@ package body Supervisor with SPARK_Mode is
    use type Command_Lines.Request_Kind;
    use type Process.Privileges.Scheduling;
    use type Vision.Library.Status;
-
-   procedure Serve (Chosen : Options.Values);
-   --  Runs the tasks; returns when the caller must end the process
 
    procedure Keep_On_Processor
      (Cpu : Options.Processor_Choice; Claim : out Texts.Text)
@@ -79,62 +74,70 @@ package body Supervisor with SPARK_Mode is
    end Open_Trace;
 
    procedure Print_Markers (Chosen : Options.Values) is
-      --  Ends the process
+      --  Ends the process on failure
       Result : Vision.Library.Status;
       Reason : Vision.Library.Reason_Text;
       Last   : Natural;
    begin
       Vision.Library.Print_Markers
         (Chosen.First_Marker, Chosen.Marker_Size, Result);
-      if Result = Vision.Library.Done then
-         Process.Leave (Process.Success);
+      if Result /= Vision.Library.Done then
+         Vision.Library.Reason (Reason, Last);
+         Console.Cannot_Start ("no page of markers: " & Reason (1 .. Last));
       end if;
-      Vision.Library.Reason (Reason, Last);
-      Console.Cannot_Start ("no page of markers: " & Reason (1 .. Last));
    end Print_Markers;
 
-   procedure Run is
-      Command_Line : Command_Lines.Reading renames Settings.Command_Line;
-      All_Well     : Boolean;
-      Written      : Boolean;
-      Ignored      : Boolean;
-      Report       : Texts.Text;
+   procedure Answer (Asked : Command_Lines.Reading) with No_Return is
+      --  What needs no task; then the process ends
+      All_Well : Boolean := True;
+      Written  : Boolean := True;
+      Report   : Texts.Text;
    begin
-      if Command_Line.Request = Command_Lines.Check then
-         Checks.Run (Command_Line.Chosen, All_Well);
-         Process.Leave
-           (if All_Well then Process.Success else Process.Cannot_Start);
-      elsif Command_Line.Request = Command_Lines.Stop then
-         Robot.Serial_Line.Send_Stop
-           (Command_Line.Chosen.Serial, All_Well, Report);
-         Console.Put (Texts.Image (Report), Written);
-         Process.Leave
-           (if All_Well and Written then Process.Success
-            else Process.Cannot_Start);
-      elsif Command_Line.Request = Command_Lines.Print_Markers then
-         Print_Markers (Command_Line.Chosen);
-      end if;
-      Serve (Command_Line.Chosen);
-      --  again: orders may have been sent since the failure's stop
-      Robot.Serial_Line.Stop_Blindly;
-      Robot.Serial_Line.Close (Ignored);
-      Support_Tasks.Finish_Trace;
-      Process.Leave (Process.Internal_Failure);
-   end Run;
+      case Asked.Request is
+         when Command_Lines.Run =>
+            null;
+         when Command_Lines.Check =>
+            Checks.Run (Asked.Chosen, All_Well);
+         when Command_Lines.Stop =>
+            Robot.Serial_Line.Send_Stop
+              (Asked.Chosen.Serial, All_Well, Report);
+            Console.Put (Texts.Image (Report), Written);
+         when Command_Lines.Print_Markers =>
+            Print_Markers (Asked.Chosen);
+         when Command_Lines.Show_Version | Command_Lines.Show_Help =>
+            Console.Put
+              ((if Asked.Request = Command_Lines.Show_Help
+                then Command_Lines.Usage else Command_Lines.Version),
+               Written);
+            if not Written then
+               Console.Cannot_Start ("standard output does not take it");
+            end if;
+         when Command_Lines.Wrong =>
+            Console.Put_Log ("destijl: " & Texts.Image (Asked.Reason));
+            Console.Put_Log (Command_Lines.Usage);
+            Process.Leave (Process.Bad_Usage);
+      end case;
+      Process.Leave
+        (if All_Well and Written then Process.Success
+         else Process.Cannot_Start);
+   end Answer;
 
-   procedure Serve (Chosen : Options.Values) is
-      Claim     : Texts.Text;
-      Granted   : Process.Privileges.Scheduling;
-      Locked    : Boolean;
-      Ignored   : Boolean;
-      Report    : Texts.Text;
-      Now       : Time;
+   procedure Run is
+      Chosen  : Options.Values renames Command_Lines.Given.Chosen;
+      Claim   : Texts.Text;
+      Granted : Process.Privileges.Scheduling;
+      Locked  : Boolean;
+      Ignored : Boolean;
+      Report  : Texts.Text;
+      Now     : Time;
    begin
-      Crashes.Catch;
+      if Command_Lines.Given.Request /= Command_Lines.Run then
+         Answer (Command_Lines.Given);
+      end if;
+      Failures.Catch_Crashes;
       Open_Trace (Chosen.Trace_File);
       Keep_On_Processor (Chosen.Cpu, Claim);
       Process.Privileges.Lock_Memory (Locked);
-      Journal.Set_Level (Chosen.Log_Level);
       --  one that moves has lost its supervisor
       Robot.Serial_Line.Send_Stop (Chosen.Serial, Ignored, Report);
       Monitor.Session.Server_Allowed.Set;
@@ -150,13 +153,25 @@ package body Supervisor with SPARK_Mode is
                "none guaranteed (destijl --check tells how to get them)"
             elsif Locked then Texts.Image (Claim)
             else "none guaranteed"));
-      Journal.Put (Options.Info, Report);
+      Journal.Put (Options.Info, Texts.Image (Report));
 
-      Failures.Wait_Stop_Failed;
+      Support_Tasks.Stop_Failed.Wait;
       Robot.Line.Begin_Session (Commands.Ticket'Last);
       --  meanwhile its last lines are written
       Now := Clock;
       delay until Now + Schedule.Console_Limit;
-   end Serve;
+      --  again: orders may have been sent since the failure's stop
+      Robot.Serial_Line.Stop_Blindly;
+      Robot.Serial_Line.Close (Ignored);
+      Support_Tasks.Finish_Trace;
+      Process.Leave (Process.Internal_Failure);
+   end Run;
 
+begin
+   pragma SPARK_Mode (Off);
+   --  Off: in SPARK an elaboration has no effect outside. Here no task has
+   --  started yet, and none is needed
+   if Command_Lines.Given.Request in Command_Lines.Settled_Kind then
+      Answer (Command_Lines.Given);
+   end if;
 end Supervisor;

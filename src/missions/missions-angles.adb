@@ -7,34 +7,24 @@ package body Missions.Angles with SPARK_Mode is
    subtype Quarter is Microdegrees range 0 .. Quarter_Turn;
    subtype Positive_Part is Part range 0 .. Million;
 
-   subtype Degree is Wide range 0 .. 90;
+   --  Sine and arc tangent are odd polynomials of an argument of at most one,
+   --  in millionths, whose coefficients make the largest error small
 
-   Sines : constant array (Degree) of Positive_Part :=
-   --  Of whole degrees
-     (0, 17_452, 34_899, 52_336, 69_756, 87_156, 104_528, 121_869, 139_173,
-      156_434, 173_648, 190_809, 207_912, 224_951, 241_922, 258_819,
-      275_637, 292_372, 309_017, 325_568, 342_020, 358_368, 374_607,
-      390_731, 406_737, 422_618, 438_371, 453_990, 469_472, 484_810,
-      500_000, 515_038, 529_919, 544_639, 559_193, 573_576, 587_785,
-      601_815, 615_661, 629_320, 642_788, 656_059, 669_131, 681_998,
-      694_658, 707_107, 719_340, 731_354, 743_145, 754_710, 766_044,
-      777_146, 788_011, 798_636, 809_017, 819_152, 829_038, 838_671,
-      848_048, 857_167, 866_025, 874_620, 882_948, 891_007, 898_794,
-      906_308, 913_545, 920_505, 927_184, 933_580, 939_693, 945_519,
-      951_057, 956_305, 961_262, 965_926, 970_296, 974_370, 978_148,
-      981_627, 984_808, 987_688, 990_268, 992_546, 994_522, 996_195,
-      997_564, 998_630, 999_391, 999_848, 1_000_000);
+   subtype Coefficient is Wide range -4 * Million .. 4 * Million;
+
+   function Times (A : Coefficient; B : Positive_Part) return Part is
+     (Within (A * B / Million, -Million, Million));
 
    function Quarter_Sine (Angle : Quarter) return Positive_Part is
-      Whole : constant Degree := Wide (Angle) / Million;
-      Rest  : constant Wide   := Wide (Angle) mod Million;
+      X : constant Positive_Part := Wide (Angle) / 90;
+      S : constant Positive_Part := X * X / Million;
    begin
-      if Whole = 90 then
-         return Million;
-      end if;
-      return
-        (Sines (Whole) * (Million - Rest) + Sines (Whole + 1) * Rest
-         + Million / 2) / Million;
+      return Wide'Max
+        (0,
+         Times
+           (1_570_794
+            - Times (645_921 - Times (79_488 - Times (4_361, S), S), S),
+            X));
    end Quarter_Sine;
 
    function Folded (Angle : Bearing) return Quarter is
@@ -42,47 +32,21 @@ package body Missions.Angles with SPARK_Mode is
    with Pre => Angle >= 0;
    --  The angle in the first quarter with the same sine
 
-   subtype Short is Wide range 0 .. 2 * Million;
-
-   function Quarter_Direction (X, Y : Short) return Quarter is
-
-      --  How far a direction of whole degrees is to the right of the vector,
-      --  and how far the vector leads in this direction
-
-      function Side (K : Degree) return Wide is
-        (Y * Sines (90 - K) - X * Sines (K));
-
-      function Ahead (K : Degree) return Wide is
-        (X * Sines (90 - K) + Y * Sines (K));
-
-      Radian  : constant := 57_295_780;  --  microdegrees
-      Largest : constant := 10 ** 11;
-      --  of one degree to the side is less
-
-      Low  : Degree := 0;
-      --  the last whole degree that is not to the left of the vector
-      Rest : Wide;
+   function Half_Quarter (Tangent : Positive_Part) return Quarter is
+      --  The angle, up to half a quarter turn
+      Radian : constant := 57_295_780;  --  microdegrees
+      S      : constant Positive_Part := Tangent * Tangent / Million;
+      Fourth : constant Part :=
+        Times (116_433 - Times (52_653 - Times (11_721, S), S), S);
    begin
-      if Y = 0 then
-         return 0;
-      elsif X = 0 then
-         return Quarter_Turn;
-      end if;
-
-      for K in Degree range 1 .. 89 loop
-         exit when Side (K) < 0;
-         Low := K;
-      end loop;
-
-      --  The rest is so small that it is its own tangent
-
-      Rest := Wide'Max (0, Wide'Min (Side (Low), Largest)) * Radian
-        / Wide'Max (1, Ahead (Low));
-      return Quarter'Min
-        (Quarter_Turn,
-         Microdegrees (Low) * Million
-         + Microdegrees (Wide'Min (Rest, Million)));
-   end Quarter_Direction;
+      return Microdegrees
+        (Wide'Max
+           (0,
+            Times
+              (999_977 - Times (332_623 - Times (193_543 - Fourth, S), S),
+               Tangent))
+         * Radian / Million);
+   end Half_Quarter;
 
    function Along (X, Y : Micrometres; Towards : Bearing) return Micrometres
    is
@@ -99,18 +63,12 @@ package body Missions.Angles with SPARK_Mode is
       else -Quarter_Sine (abs Angle - Quarter_Turn));
 
    function Direction (X, Y : Micrometres) return Bearing is
-      Wide_X  : constant Wide := abs Wide (X);
-      Wide_Y  : constant Wide := abs Wide (Y);
-      Shorter : constant Wide :=
-        Wide'Max (Wide_X, Wide_Y) / Million + 1;
-      --  Both are made shorter by it, so that products are small enough; short
-      --  ones longer, so that nothing is lost
-      Longer  : constant Wide :=
-        (if Shorter = 1
-         then Million / Wide'Max (1, Wide'Max (Wide_X, Wide_Y)) else 1);
-      Acute   : constant Quarter := Quarter_Direction
-        (Wide'Min (Wide_X * Longer / Shorter, 2 * Million),
-         Wide'Min (Wide_Y * Longer / Shorter, 2 * Million));
+      Less  : constant Wide := Wide'Min (abs Wide (X), abs Wide (Y));
+      More  : constant Wide := Wide'Max (abs Wide (X), abs Wide (Y));
+      Half  : constant Quarter :=
+        (if More = 0 then 0 else Half_Quarter (Less * Million / More));
+      Acute : constant Quarter :=
+        (if abs X >= abs Y then Half else Quarter_Turn - Half);
    begin
       if X >= 0 then
          return (if Y >= 0 then Acute else -Acute);

@@ -24,7 +24,7 @@ package Missions.Angles with SPARK_Mode, Pure is
    with Pre => Angle <= Microdegrees'Last - Half_Turn;
 
    function Sine (Angle : Bearing) return Part;
-   --  Interpolated between whole degrees: wrong by at most 40
+   --  Wrong by at most 4
 
    function Cosine (Angle : Bearing) return Part;
 

@@ -227,7 +227,7 @@ package body Missions.Arenas with SPARK_Mode is
       Inside := True;
       for K in 1 .. P.Count loop
          pragma Loop_Invariant
-           (for all L in 1 .. K - 1 => Guards.Is_Target (Places (L), Size));
+           (for all L in 1 .. K - 1 => Driving.Is_Target (Places (L), Size));
          if P.Measure = Pixels then
             Locate
               (M,
@@ -242,7 +242,7 @@ package body Missions.Arenas with SPARK_Mode is
                Places (K) := (Micrometres (X), Micrometres (Y));
             end if;
          end if;
-         Inside := Inside and then Guards.Is_Target (Places (K), Size);
+         Inside := Inside and then Driving.Is_Target (Places (K), Size);
          exit when not Inside;
       end loop;
    end Targets;

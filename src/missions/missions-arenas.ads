@@ -2,7 +2,7 @@
 --  From the image to the arena: the projective map (homography) that takes the
 --  four corners confirmed by the user to those of a rectangle, in integers.
 
-with Missions.Guards;
+with Missions.Driving;
 with Vision;
 
 package Missions.Arenas with SPARK_Mode, Pure is
@@ -167,7 +167,7 @@ package Missions.Arenas with SPARK_Mode, Pure is
      Post =>
        (if Inside then
           (for all K in 1 .. P.Count =>
-             Guards.Is_Target (Places (K), Size)));
+             Driving.Is_Target (Places (K), Size)));
    --  Not Inside: a point is outside the arena less its margin. Centimetres
    --  need no map
 

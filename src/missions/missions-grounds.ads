@@ -55,20 +55,17 @@ package Missions.Grounds with SPARK_Mode is
    --  Whether a mission to P may begin on G, or why not. Map is that of the
    --  arena, and Targets (1 .. P.Count) the places of the points
 
-   function Stands (Begun, G : Ground) return Boolean is
-     (G.View.Stage = Vision.Mode.Streaming
-      and then G.View.Position_On
-      and then G.View.Confirmed
-      and then G.View.Arena = Begun.View.Arena);
-   --  Camera, positions and arena are still those of Begun
-
    function Ended_By
      (Begun, G : Ground; Is_Over, By_Hand : Boolean) return Ending
    is (if Is_Over then Session_Over
        elsif By_Hand then Missions.By_Hand
        elsif not Robot.Line_Status.Same_Run (G.Line, Begun.Line)
        then Robot_Stopped
-       elsif not Stands (Begun, G) then Camera_Ended
+       elsif G.View.Stage /= Vision.Mode.Streaming
+         or else not G.View.Position_On
+         or else not G.View.Confirmed
+         or else G.View.Arena /= Begun.View.Arena
+       then Camera_Ended
        else Completed);
    --  What ends the mission that has begun on Begun, by G; Completed: nothing
    --  does. Is_Over: its session has ended. By_Hand: an order by hand has come

@@ -21,14 +21,13 @@ package body Missions.Requests with SPARK_Mode is
          end if;
       end Put;
 
-      procedure Take
-        (Item : in out Commands.Order; What : out Path; Found : out Boolean) is
+      procedure Take (Item : in out Commands.Order; What : out Path) is
       begin
-         Found := Waits;
          What := Points;
-         if Found then
+         if Waits then
             Waits := False;
             Item := Wanted;
+            Item.Owed := True;
          end if;
       end Take;
 
@@ -50,15 +49,13 @@ package body Missions.Requests with SPARK_Mode is
    end Put;
 
    procedure Wait (Order : in out Commands.Order; What : out Path) is
-      Found : Boolean;
    begin
       loop
          Arrived.Wait;
-         Place.Take (Order, What, Found);
-         exit when Found;
+         Place.Take (Order, What);
+         exit when Order.Owed;
       end loop;
       Trace.Put (Trace.Take, Schedule.Th_Mission, Order.Number);
-      Order.Owed := True;
    end Wait;
 
 end Missions.Requests;

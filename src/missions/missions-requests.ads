@@ -11,8 +11,8 @@ package Missions.Requests with SPARK_Mode is
 
       procedure Put (Item : Commands.Order; What : Path; Taken : out Boolean);
 
-      procedure Take
-        (Item : in out Commands.Order; What : out Path; Found : out Boolean);
+      procedure Take (Item : in out Commands.Order; What : out Path);
+      --  Item is Owed if a mission waits
 
       procedure Release;
       --  No mission is under way any more. For th_mission only

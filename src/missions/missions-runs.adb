@@ -1,44 +1,14 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
 
-with Missions.Runs.Aims;
-
 package body Missions.Runs with SPARK_Mode is
 
-   --  Microseconds, micrometres, microdegrees
+   function Target (R : Run) return Near_Pose is
+     ((X       => Near_Of (R.Targets (R.Leg).X),
+       Y       => Near_Of (R.Targets (R.Leg).Y),
+       Heading => 0));
 
-   --  The robot as it is meant to be
-
-   Time_Per_Millimetre : constant := 5_000;   --  200 mm/s
-   Time_Per_Degree     : constant := 11_112;  --  90 degrees/s
-
-   --  Limits
-
-   Slowest    : constant := 4;
-   --  An order may take its duration times this, and Still_Time
-
-   Still_Time : constant := 2_000_000;
-   --  A mission ends when it has made no progress for this time. Progress is
-   --  a way or a turn longer than:
-   Progress_Way  : constant := 10_000;
-   Progress_Turn : constant := 5_000_000;
-
-   Leg_Time                : constant := 15_000_000;
-   Leg_Time_Per_Millimetre : constant := Slowest * Time_Per_Millimetre;
-   --  A leg may take Leg_Time for its turns and looks, and the time of the
-   --  slowest drive
-
-   Ask_Period : constant := 20_000;
-   --  Between two questions whether the robot moves
-
-   --  What images show
-
-   Same_Place   : constant := 9_000;
-   Same_Heading : constant := 3_000_000;
-   --  An image that differs more from the mean shows another place
-
-   Good_Part    : constant := 20_000_000;
-   --  A turn seen halfway has turned so far at least, and four times this at
-   --  most: its rate is learnt from that
+   function Distance (R : Run) return Micrometres is
+     (Way (R.Newest, Target (R)));
 
    function After (Time, Span : Microseconds) return Microseconds is
      (if Time <= Microseconds'Last - Span then Time + Span
@@ -50,25 +20,29 @@ package body Missions.Runs with SPARK_Mode is
    --  Of the order under way, of a robot as it is meant to be
 
    procedure Finish (R : in out Run; Why : Ending) is
+      --  No effect once it has ended
    begin
-      R.Ended := True;
-      R.Why   := Why;
-      R.Stops := (if Why in By_Hand | Session_Over then 0 else Stop_Tries);
+      if not R.Ended then
+         R.Ended := True;
+         R.Why   := Why;
+         R.Stops :=
+           (if Why in By_Hand | Session_Over then 0 else Stop_Tries);
+      end if;
    end Finish;
 
    procedure Finish_Amiss (R : in out Run; What : Movement_Kind) is
+      --  It goes so far amiss, as measured; Halt, or none measured: it does
+      --  not go on
    begin
       Finish
         (R,
-         (if R.Measured = 0 then No_Progress
-          else
-            (case What is
-                when Halt  => No_Progress,
-                when Turn  => Turns_Amiss,
-                when Drive => Drives_Amiss)));
+         (if R.Measured = 0 or else What = Halt then No_Progress
+          elsif What = Turn then Turns_Amiss
+          else Drives_Amiss));
    end Finish_Amiss;
 
    procedure Limit_Leg (R : in out Run; Now : Microseconds) is
+      --  The leg begins now
       Far : constant Micrometres := Micrometres'Max (0, Distance (R));
    begin
       R.Leg_End := After
@@ -77,12 +51,7 @@ package body Missions.Runs with SPARK_Mode is
       R.Anchored := Now;
    end Limit_Leg;
 
-   procedure Check_Limits (R : in out Run; Now : Microseconds)
-   with
-     Pre  => not R.Ended,
-     Post => Is_As_Far (R, R'Old)
-       and then (if not R.Ended then Now < R.Leg_End)
-   is
+   procedure Check_Limits (R : in out Run; Now : Microseconds) is
    begin
       if Now > After (R.Came, Max_Age) then
          Finish (R, No_Image);
@@ -97,9 +66,11 @@ package body Missions.Runs with SPARK_Mode is
          R.Measured := Percent
            (Within
               ((if R.Movement = Turn
-                then Wide (abs Difference (R.Mean.Heading, R.Newest.Heading))
+                then Wide
+                  (abs Difference (R.Rest.Mean.Heading, R.Newest.Heading))
                   * Time_Per_Degree / 10_000
-                else Wide (Way (R.Mean, R.Newest)) * Time_Per_Millimetre / 10)
+                else Wide (Way (R.Rest.Mean, R.Newest))
+                  * Time_Per_Millimetre / 10)
                / Wide (Now - R.Given),
                0, Wide (Percent'Last)));
          Finish_Amiss (R, R.Movement);
@@ -108,14 +79,8 @@ package body Missions.Runs with SPARK_Mode is
 
    procedure End_By (R : in out Run; Why : Abort_Reason) is
    begin
-      if not R.Ended then
-         Finish (R, Why);
-      end if;
+      Finish (R, Why);
    end End_By;
-
-   function Has_Position (R : Run; Now : Microseconds) return Boolean is
-     (R.Seen_At <= Now and then Now - R.Seen_At <= Max_Age);
-   --  An order may follow from it
 
    function Next_Look (R : Run; Now : Microseconds) return Microseconds is
      (if R.Ended or else (R.Phase = Aiming and then Has_Position (R, Now))
@@ -125,42 +90,12 @@ package body Missions.Runs with SPARK_Mode is
            (Now, Microseconds'Min (R.Ask_At, After (Now, Max_Age)))
       else After (Now, Ask_Period));
 
-   function Mean_Of (Mean, Newest : Near; Count : Image_Count) return Near is
-     (Near_Of (Mean + (Newest - Mean) / Micrometres (Count)))
-   with Pre => Count > 0;
-   --  Count includes the newest
-
-   procedure Add_Image (R : in out Run)
-   with Post => Is_Same (R, R'Old)
-   is
-      --  The newest one, of the robot at rest
-      Where : constant Near_Pose := R.Newest;
-      Turn  : constant Bearing   :=
-        Difference (R.Mean.Heading, Where.Heading);
-      Is_Same : constant Boolean :=
-        Way (R.Mean, Where) <= Same_Place and then abs Turn <= Same_Heading;
-   begin
-      if R.Count = 0 or else not Is_Same then
-         R.Confirmed := R.Count = 0 and then R.Expected and then Is_Same;
-         R.Count     := 1;
-         R.Mean      := Where;
-      else
-         R.Count  := Natural'Min (R.Count + 1, Max_Images);
-         R.Mean.X := Mean_Of (R.Mean.X, Where.X, R.Count);
-         R.Mean.Y := Mean_Of (R.Mean.Y, Where.Y, R.Count);
-         R.Mean.Heading :=
-           Normal (R.Mean.Heading + Turn / Microdegrees (R.Count));
-      end if;
-   end Add_Image;
-
-   procedure Arrive (R : in out Run; Now : Microseconds)
-   with Post => Is_Same (R, R'Old)
-   is
+   procedure Arrive (R : in out Run; Now : Microseconds) is
       --  The robot does not move any more
       Turned : constant Some_Turn := True_Turn (R.Amount, R.Known.Turns);
    begin
-      R.Expected  := False;
-      R.Confirmed := False;
+      R.Rest.Expected  := False;
+      R.Rest.Confirmed := False;
       R.Part.Ended := (if Now > R.Given then Now - R.Given else 0);
       if R.Movement = Turn
         and then R.Sure
@@ -168,37 +103,22 @@ package body Missions.Runs with SPARK_Mode is
         and then R.Known.Distrust = 0
         and then R.Made.Turned ** 2 <= 9 * R.Known.Turn_Weight
       then
-         R.Mean.Heading := Normal (R.Mean.Heading + Turned);
-         R.Phase        := Aiming;
+         R.Rest.Mean.Heading := Normal (R.Rest.Mean.Heading + Turned);
+         R.Phase := Aiming;
          Learn_Lag (R.Known, R.Part, Turned);
-         return;
-      end if;
-
-      R.Phase     := Looking;
-      R.Rest_From := After (Now, R.Known.Lag);
-      R.Count     := 0;
-      R.Learnable :=
-        R.Learnable and then R.Sure and then R.Movement /= Halt;
-      if R.Movement = Drive
-        and then R.Learnable
-        and then Knows_Way (R.Known)
-      then
-         declare
-            Length : constant Some_Length :=
-              True_Length (R.Amount, R.Known.Drives);
-            Half   : constant Microdegrees := Swing (Length, R.Known.Pulled);
-            Chord  : constant Bearing      := Normal (R.Mean.Heading + Half);
-         begin
-            R.Mean :=
-              (X       => Near_Of
-                 (R.Mean.X
-                  + Micrometres (Wide (Length) * Cosine (Chord) / Million)),
-               Y       => Near_Of
-                 (R.Mean.Y
-                  + Micrometres (Wide (Length) * Sine (Chord) / Million)),
-               Heading => Normal (Chord + Half));
-            R.Expected := True;
-         end;
+      else
+         R.Phase      := Looking;
+         R.Rest_From  := After (Now, R.Known.Lag);
+         R.Rest.Count := 0;
+         R.Learnable  :=
+           R.Learnable and then R.Sure and then R.Movement /= Halt;
+         if R.Movement = Drive
+           and then R.Learnable
+           and then Knows_Way (R.Known)
+         then
+            R.Rest.Mean := After_Drive (R.Known, R.Rest.Mean, R.Amount);
+            R.Rest.Expected := True;
+         end if;
       end if;
    end Arrive;
 
@@ -216,7 +136,7 @@ package body Missions.Runs with SPARK_Mode is
         or else What.Where.At_Place.Y not in Near
       then
          R.Missing := Natural'Min (R.Missing + 1, Max_Missing);
-         if R.Missing = Max_Missing and then not R.Ended then
+         if R.Missing = Max_Missing then
             Finish (R, No_Position);
          end if;
          return;
@@ -236,13 +156,13 @@ package body Missions.Runs with SPARK_Mode is
       end if;
 
       if R.Phase = Looking and then What.Taken >= R.Rest_From then
-         Add_Image (R);
+         Add_Image (R.Rest, R.Newest);
       elsif R.Phase = Moving and then R.Movement = Turn then
          if R.Part.Turned = 0 and then What.Taken > R.Given and then R.Sure
          then
             declare
                Part : constant Bearing :=
-                 Difference (R.Mean.Heading, R.Newest.Heading);
+                 Difference (R.Rest.Mean.Heading, R.Newest.Heading);
             begin
                if abs Part in Good_Part .. 4 * Good_Part
                  and then (Part > 0) = (R.Amount > 0)
@@ -252,12 +172,10 @@ package body Missions.Runs with SPARK_Mode is
                end if;
             end;
          end if;
-         if Way (R.Mean, R.Newest) > Upset_Way then
+         if Way (R.Rest.Mean, R.Newest) > Upset_Way then
             R.Upset := True;
          else
-            R.Count  := Natural'Min (R.Count + 1, Max_Images);
-            R.Mean.X := Mean_Of (R.Mean.X, R.Newest.X, R.Count);
-            R.Mean.Y := Mean_Of (R.Mean.Y, R.Newest.Y, R.Count);
+            Add_Place (R.Rest, R.Newest);
          end if;
       end if;
    end See;
@@ -276,9 +194,153 @@ package body Missions.Runs with SPARK_Mode is
          Came    => Now,
          Ask_At  => Now,
          others  => <>);
-      R.Phase := Looking;
       Limit_Leg (R, Now);
    end Start;
+
+   procedure Give
+     (R        : in out Run;
+      Movement : Movement_Kind;
+      Amount   : Drive_Length;
+      Next     : out Action) is
+   begin
+      R.Awaited  := Order;
+      R.Movement := Movement;
+      R.Amount   := Amount;
+      R.Phase    := Moving;
+      R.Upset    := False;
+      R.Orders   := R.Orders - 1;
+      case Movement is
+         when Halt =>
+            Next := (Order, (Kind => Commands.Stop, others => <>));
+
+         when Turn =>
+            Next := (Order, (Commands.Drive, (Commands.Turn, Amount)));
+            R.Turns_Made  := Natural'Min (2, R.Turns_Made + 1);
+            R.Part.Turned := 0;
+            if R.Made.Turned = 0 then
+               R.Made.From := R.Rest.Mean;
+            end if;
+            if abs (R.Made.Turned + Amount) <= Degrees'Last then
+               R.Made.Turned := R.Made.Turned + Amount;
+            else
+               R.Learnable := False;
+            end if;
+
+         when Drive =>
+            Next := (Order, (Commands.Drive, (Commands.Move, Amount)));
+            R.Turns_Made := 0;
+            R.Made.From.X := R.Rest.Mean.X;
+            R.Made.From.Y := R.Rest.Mean.Y;
+            if R.Made.Turned = 0 then
+               R.Made.From.Heading := R.Rest.Mean.Heading;
+            end if;
+            R.Made.Driven := Amount;
+      end case;
+   end Give;
+
+   procedure Decide (R : in out Run; Now : Microseconds; Next : out Action)
+   with
+     Pre  => not R.Ended
+       and then Now < R.Leg_End
+       and then R.Orders > 0
+       and then Has_Position (R, Now),
+     Post => Is_Kept (R, R'Old)
+       and then R.Seen_At = R.Seen_At'Old
+       and then Next.Kind in Nothing | Order
+       and then
+         (if Next.Kind = Order then
+             Is_Permitted (R, Next.Request, Now)
+             and then not R.Ended
+             and then Orders_Left (R) < Orders_Left (R'Old))
+   is
+      --  The robot rests where it is believed to be: gives an order, waits for
+      --  more images, or ends the mission
+      Centre   : constant Near_Pose :=
+        (X       => Near (R.Size.Width) * 5_000,
+         Y       => Near (R.Size.Height) * 5_000,
+         Heading => 0);
+      Left     : Micrometres := Way (R.Rest.Mean, Target (R));
+      Amiss    : Movement_Kind;
+      Part     : Percent;
+      Is_Above : Boolean;
+      Movement : Movement_Kind;
+      Amount   : Drive_Length;
+   begin
+      Next := (others => <>);
+      if R.Phase = Looking then
+         if Left > There (R.Rest.Count)
+           and then
+             (R.Rest.Count < Enough_Images
+              or else
+                (R.Rest.Count < Many_Images
+                 and then Left <= There (R.Rest.Count) + Unsure_Way))
+         then
+            return;
+         end if;
+
+         if R.Learnable then
+            --  What was ordered since the last look with what is seen now: it
+            --  ends the mission if no Gain explains them twice in a row, or
+            --  at once if it was too much
+            Compare (R.Known, R.Made, R.Rest.Mean, Amiss, Part, Is_Above);
+            if Amiss = Halt then
+               if R.Made.Driven = 0
+                 and then R.Made.Turned /= 0
+                 and then R.Turns_Made = 1
+               then
+                  Learn_Lag
+                    (R.Known, R.Part,
+                     Turn_Seen (R.Known, R.Made, R.Rest.Mean));
+               end if;
+               Learn (R.Known, R.Made, R.Rest.Mean);
+            else
+               R.Measured := Part;
+               if (R.Amiss = Amiss and then Part > 0) or else Is_Above then
+                  Finish_Amiss (R, Amiss);
+                  return;
+               end if;
+               R.Known.Distrust := Distrusted;
+            end if;
+            R.Amiss := Amiss;
+         end if;
+         R.Made := (From => R.Made.From, others => 0);
+         R.Learnable := True;
+         R.Phase     := Aiming;
+         while Left <= There (R.Rest.Count) loop
+            pragma Loop_Invariant
+              (Is_Kept (R, R'Loop_Entry)
+               and then not R.Ended
+               and then R.Orders > 0
+               and then R.Seen_At = R.Seen_At'Loop_Entry);
+            pragma Loop_Variant (Increases => R.Leg);
+            if R.Leg >= R.Legs then
+               Finish (R, Completed);
+               return;
+            end if;
+            R.Leg := R.Leg + 1;
+            Limit_Leg (R, Now);
+            Left := Way (R.Rest.Mean, Target (R));
+         end loop;
+         if Now >= R.Leg_End then
+            Finish (R, Leg_Too_Long);
+            return;
+         end if;
+      end if;
+
+      Choose
+        (R.Rest.Mean, Target (R), R.Known, R.Made.Turned, R.Turns_Made, R.Size,
+         Movement, Amount);
+      if Movement = Halt then
+         Choose
+           (R.Rest.Mean, Centre, R.Known, R.Made.Turned, R.Turns_Made, R.Size,
+            Movement, Amount);
+      end if;
+      if Movement = Halt then
+         Finish (R, No_Way);
+      else
+         Give (R, Movement, Amount, Next);
+      end if;
+   end Decide;
 
    procedure Step (R : in out Run; Now : Microseconds; Next : out Action) is
    begin
@@ -290,19 +352,18 @@ package body Missions.Runs with SPARK_Mode is
       if not R.Ended and then R.Awaited = Nothing then
          if R.Phase = Moving then
             if Now >= R.Ask_At then
-               Next :=
-                 (Ask, (Kind => Commands.Get_Moving, others => <>));
+               Next := (Ask, (Kind => Commands.Get_Moving, others => <>));
                R.Awaited := Ask;
             end if;
          elsif R.Orders = 0 then
             Finish (R, Leg_Too_Long);
          elsif not R.Halted then
-            Aims.Give (R, Halt, 0, Next);
-         elsif (R.Phase = Aiming or else R.Count >= Enough_Images
-                or else R.Confirmed)
+            Give (R, Halt, 0, Next);
+         elsif (R.Phase = Aiming or else R.Rest.Count >= Enough_Images
+                or else R.Rest.Confirmed)
            and then Has_Position (R, Now)
          then
-            Aims.Decide (R, Now, Next);
+            Decide (R, Now, Next);
          end if;
       end if;
 
@@ -370,14 +431,12 @@ package body Missions.Runs with SPARK_Mode is
                   R.Refusals := Natural'Min (R.Refusals + 1, Refusal_Limit);
                   R.Sure     := False;
                   Arrive (R, Now);
-                  if R.Refusals = Refusal_Limit and then not R.Ended then
+                  if R.Refusals = Refusal_Limit then
                      Finish (R, Orders_Refused);
                   end if;
 
                when Commands.Not_Open | Commands.Not_Opened =>
-                  if not R.Ended then
-                     Finish (R, Robot_Stopped);
-                  end if;
+                  Finish (R, Robot_Stopped);
             end case;
       end case;
    end Tell;

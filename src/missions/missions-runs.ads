@@ -3,9 +3,8 @@
 --  been told, the next order or none.
 
 with Commands;
-with Missions.Angles;   use Missions.Angles;
-with Missions.Guards;   use Missions.Guards;
-with Missions.Learning; use Missions.Learning;
+with Missions.Angles;  use Missions.Angles;
+with Missions.Driving; use Missions.Driving;
 
 package Missions.Runs with SPARK_Mode is
 
@@ -64,37 +63,15 @@ package Missions.Runs with SPARK_Mode is
 
    --  Used in the contracts
 
-   function Size (R : Run) return Arena_Size with Ghost;
-
-   function Position_Time (R : Run) return Microseconds with Ghost;
-   --  When the newest image that shows the robot came
-
-   function Position (R : Run) return Pose with Ghost;
-   --  Where the robot is believed to be while it rests
-
-   function Doubts (R : Run) return Missions.Guards.Doubts;
-   --  What is not known of its next drive
-
-   function Leg_End (R : Run) return Microseconds with Ghost;
-   --  When the leg's time is over
-
    function Orders_Left (R : Run) return Natural with Ghost;
    --  Of the whole mission
 
-   function Is_Permitted (R : Run; Request : Commands.Request)
-     return Boolean
-   is (Request.Kind = Commands.Stop
-       or else
-         (Request.Kind = Commands.Drive
-          and then
-            (if Request.Command.Kind = Commands.Move then
-                Request.Command.Value in Drive_Length
-                and then Is_Permitted
-                  (Position (R), Request.Command.Value, Doubts (R),
-                   Size (R)))))
+   function Is_Permitted
+     (R : Run; Request : Commands.Request; Now : Microseconds) return Boolean
    with Ghost;
-   --  A turn, whose place is that of the robot, or a drive that the guards
-   --  permit
+   --  The time of the leg is not over. And it is a stop; or, while the newest
+   --  position is at most Max_Age old, a turn, or a drive that the guard
+   --  permits from where the robot is believed to rest
 
    function Is_Kept (R, Before : Run) return Boolean is
      (Orders_Left (R) <= Orders_Left (Before)
@@ -129,12 +106,7 @@ package Missions.Runs with SPARK_Mode is
                Next.Request.Kind = Commands.Stop,
              when Order           =>
                Orders_Left (R) < Orders_Left (R'Old)
-               and then Now < Leg_End (R)
-               and then Is_Permitted (R, Next.Request)
-               and then
-                 (if Next.Request.Kind = Commands.Drive then
-                     Position_Time (R) <= Now
-                     and then Now - Position_Time (R) <= Max_Age),
+               and then Is_Permitted (R, Next.Request, Now),
              when Nothing | Leave => True);
    --  What is to be done now
 
@@ -156,9 +128,52 @@ package Missions.Runs with SPARK_Mode is
 
 private
 
+   --  Microseconds, micrometres, microdegrees
+
+   --  The robot as it is meant to be
+
+   Time_Per_Millimetre : constant := 5_000;   --  200 mm/s
+   Time_Per_Degree     : constant := 11_112;  --  90 degrees/s
+
+   --  Limits
+
+   Slowest    : constant := 4;
+   --  An order may take its duration times this, and Still_Time
+
+   Still_Time : constant := 2_000_000;
+   --  A mission ends when it has made no progress for this time. Progress is
+   --  a way or a turn longer than:
+   Progress_Way  : constant := 10_000;
+   Progress_Turn : constant := 5_000_000;
+
+   Leg_Time                : constant := 15_000_000;
+   Leg_Time_Per_Millimetre : constant := Slowest * Time_Per_Millimetre;
+   --  A leg may take Leg_Time for its turns and looks, and the time of the
+   --  slowest drive
+
+   Ask_Period : constant := 20_000;
+   --  Between two questions whether the robot moves
+
+   --  What images show
+
+   Good_Part     : constant := 20_000_000;
+   --  A turn seen halfway has turned so far at least, and four times this at
+   --  most: its rate is learnt from that
+
    Enough_Images : constant := 2;
-   Max_Images    : constant := 8;
-   subtype Image_Count is Natural range 0 .. Max_Images;
+   Many_Images   : constant := 4;
+
+   Unsure_Way    : constant := 3_000;
+   --  If the distance to the target differs from the limit by less, more
+   --  images are waited for
+
+   function There (Images : Image_Count) return Micrometres is
+     (case Images is
+         when 0 .. 1          => 6_000,
+         when 2               => 8_000,
+         when 3 .. Max_Images => 9_000);
+   --  So near to the target, it is reached: the more images, the better it is
+   --  known
 
    type Phase_Kind is
      (Looking,  --  the robot rests, or will within an image: wait for images
@@ -167,15 +182,6 @@ private
 
    subtype Awaited_Kind is Action_Kind
    with Static_Predicate => Awaited_Kind in Nothing .. Stop;
-
-   type Movement_Kind is (Halt, Turn, Drive);
-
-   subtype Turn_Count is Natural range 0 .. 2;
-   --  Turns since the last drive; 2: or more
-
-   Upset_Way : constant := 15_000;
-   --  Micrometres from the mean place: more in a turn means that the robot was
-   --  moved
 
    Stop_Tries    : constant := 3;
    Refusal_Limit : constant := 3;
@@ -222,14 +228,9 @@ private
       Given       : Microseconds := 0;
       Ask_At      : Microseconds := 0;
 
-      --  Where the robot rests: the mean of Count images
+      --  Where the robot rests
       Rest_From   : Microseconds := 0;
-      Count       : Image_Count := 0;
-      Mean        : Near_Pose;
-      Expected    : Boolean := False;
-      --  Count = 0: the mean is where it should be
-      Confirmed   : Boolean := False;
-      --  and the first image showed it there
+      Rest        : Resting;
       Upset       : Boolean := False;
       --  in a turn, an image showed it elsewhere
 
@@ -249,50 +250,6 @@ private
       Known       : Knowledge;
    end record;
 
-   --  For Missions.Runs.Aims too
-
-   function Is_As_Far (R, Before : Run) return Boolean is
-     (R.Leg = Before.Leg
-      and then R.Orders = Before.Orders
-      and then R.Seen_At = Before.Seen_At)
-   with Ghost;
-
-   function Is_Same (R, Before : Run) return Boolean is
-     (Is_As_Far (R, Before)
-      and then R.Ended = Before.Ended
-      and then R.Why = Before.Why
-      and then R.Leg_End = Before.Leg_End
-      and then R.Size = Before.Size)
-   with Ghost;
-   --  Neither further nor ended
-
-   procedure Finish (R : in out Run; Why : Ending)
-   with
-     Pre  => not R.Ended,
-     Post => R.Ended and then R.Why = Why and then Is_As_Far (R, R'Old);
-
-   procedure Finish_Amiss (R : in out Run; What : Movement_Kind)
-   with
-     Pre  => not R.Ended,
-     Post => R.Ended and then Is_As_Far (R, R'Old);
-   --  It goes so far amiss, as measured; Halt, or none measured: it does not
-   --  go on
-
-   function Target (R : Run) return Near_Pose is
-     ((X       => Near_Of (R.Targets (R.Leg).X),
-       Y       => Near_Of (R.Targets (R.Leg).Y),
-       Heading => 0));
-
-   procedure Limit_Leg (R : in out Run; Now : Microseconds)
-   with
-     Post => R.Orders = Max_Orders
-       and then R.Ended = R.Ended'Old
-       and then R.Leg = R.Leg'Old
-       and then R.Legs = R.Legs'Old
-       and then R.Size = R.Size'Old
-       and then R.Seen_At = R.Seen_At'Old;
-   --  The leg begins now
-
    function Has_Ended (R : Run) return Boolean is (R.Ended);
 
    function Ended_By (R : Run) return Ending is (R.Why);
@@ -303,19 +260,24 @@ private
 
    function Legs (R : Run) return Point_Number is (R.Legs);
 
-   function Distance (R : Run) return Micrometres is
-     (Way (R.Newest, Target (R)));
+   function Has_Position (R : Run; Now : Microseconds) return Boolean is
+     (R.Seen_At <= Now and then Now - R.Seen_At <= Max_Age);
+   --  An order may follow from it
 
-   function Size (R : Run) return Arena_Size is (R.Size);
-
-   function Position_Time (R : Run) return Microseconds is (R.Seen_At);
-
-   function Position (R : Run) return Pose is (Pose_Of (R.Mean));
-
-   function Doubts (R : Run) return Missions.Guards.Doubts is
-     (Doubts_Of (R.Known, R.Made.Turned));
-
-   function Leg_End (R : Run) return Microseconds is (R.Leg_End);
+   function Is_Permitted
+     (R : Run; Request : Commands.Request; Now : Microseconds) return Boolean
+   is (Now < R.Leg_End
+       and then
+         (Request.Kind = Commands.Stop
+          or else
+            (Request.Kind = Commands.Drive
+             and then Has_Position (R, Now)
+             and then
+               (if Request.Command.Kind = Commands.Move then
+                   Request.Command.Value in Drive_Length
+                   and then Is_Permitted
+                     (Pose_Of (R.Rest.Mean), Request.Command.Value,
+                      Doubts_Of (R.Known, R.Made.Turned), R.Size)))));
 
    function Orders_Left (R : Run) return Natural is
      (R.Orders + (Max_Points - R.Leg) * Max_Orders);

@@ -1,6 +1,9 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
 
 with Ada.Real_Time; use Ada.Real_Time;
+with Event_Counters;
+with Interfaces;
+with Interfaces.C;
 with Journal;
 with Monitor.Outbox;
 with Monitor.Session;
@@ -11,8 +14,23 @@ with Trace;
 
 package body Admission.Newcomers with SPARK_Mode is
 
+   use type Interfaces.C.int;
+   use type Interfaces.Unsigned_16;
    use type Monitor.Session.Stage_Kind;
    use type Monitor.Sockets.Socket;
+
+   Waker : constant Event_Counters.Counter := Event_Counters.New_Counter;
+   --  Of Wake_Server
+
+   Coming : constant Positive := Place'Last + 1;
+   Waking : constant Positive := Place'Last + 2;
+   --  Indices of the other descriptors that th_server waits for
+
+   Look_Now      : constant := 16#42#;    --  MSG_PEEK, MSG_DONTWAIT
+   Receive_Now   : constant := 16#40#;    --  MSG_DONTWAIT
+   Send_With_End : constant := 16#C040#;
+   --  MSG_NOSIGNAL, MSG_DONTWAIT, MSG_MORE
+   Sending       : constant := 1;         --  SHUT_WR
 
    subtype Place_Choice is Natural range 0 .. Place'Last;  --  0: none
 
@@ -38,10 +56,21 @@ package body Admission.Newcomers with SPARK_Mode is
    procedure Turn_Away (G : in out Gate; Where : Place; Why : String)
    with Pre => Why'Length < 100
    is
-      --  Tells it why, and the log, where there is a line for that
+      --  Tells it why, and the log, where there is a line for that. Never
+      --  waits
+      Refused      : constant Monitor.Sockets.Socket := G.Places (Where).Line;
+      Ignored_Data : String (1 .. 256) := (others => ' ');
+      Ignored      : Monitor.Sockets.Outcome;
    begin
-      Monitor.Sockets.Gate.Refuse
-        (G.Places (Where).Line, "MSSG:refused: " & Why & ASCII.LF);
+      --  message and FIN in one packet, which takes half the time: there may
+      --  be a flood of rejections
+      Monitor.Sockets.Send
+        (Refused, Send_With_End, "MSSG:refused: " & Why & ASCII.LF, Ignored);
+      Monitor.Sockets.Shut_Down (Refused, Sending);
+      --  unread data would turn the close into a reset, which could overtake
+      --  the message
+      Monitor.Sockets.Receive (Refused, Receive_Now, Ignored_Data, Ignored);
+      Monitor.Sockets.Close (Refused);
       if G.Refused < Schedule.Refusals_Logged then
          Journal.Put
            (Options.Warning,
@@ -87,6 +116,38 @@ package body Admission.Newcomers with SPARK_Mode is
       end loop;
    end Settle;
 
+   procedure Read_Line
+     (From   : Monitor.Sockets.Socket;
+      Data   : in out String;
+      Length : out Natural;
+      Open   : out Boolean)
+   with
+     Pre  => Data'First > 0,
+     Post => Length <= Data'Length
+   is
+      --  What the peer has sent, up to the first line feed: what follows is
+      --  left for the session. Never waits. Not Open: the peer has closed
+      Got : Monitor.Sockets.Outcome;
+   begin
+      Monitor.Sockets.Receive (From, Look_Now, Data, Got);
+      Open := Got > 0
+        or else Got in Monitor.Sockets.Try_Again | Monitor.Sockets.Interrupted;
+      Length := Integer'Max (0, Got);
+      for I in 1 .. Length loop
+         pragma Loop_Invariant (Length = Got);
+         if Data (Data'First + (I - 1)) = ASCII.LF then
+            Length := I;
+            exit;
+         end if;
+      end loop;
+      if Length > 0 then
+         Monitor.Sockets.Receive
+           (From, Receive_Now, Data (Data'First .. Data'First + (Length - 1)),
+            Got);
+         Length := Integer'Max (0, Got);
+      end if;
+   end Read_Line;
+
    procedure Hear (G : in out Gate; Where : Place)
    with Pre => G.Places (Where).State = Asked
    is
@@ -97,7 +158,7 @@ package body Admission.Newcomers with SPARK_Mode is
       Open    : Boolean;
       Verdict : Admission.Verdict;
    begin
-      Monitor.Sockets.Gate.Read_Line
+      Read_Line
         (N.Line, N.Reader.Data (N.Reader.Length + 1 .. N.Reader.Data'Last),
          Length, Open);
       N.Reader.Length := N.Reader.Length + Length;
@@ -151,30 +212,47 @@ package body Admission.Newcomers with SPARK_Mode is
          if G.Refused > Schedule.Refusals_Logged then
             Texts.Set (Line, "newcomers refused, too many for the log: ");
             Texts.Append (Line, G.Refused - Schedule.Refusals_Logged);
-            Journal.Put (Options.Warning, Line);
+            Journal.Put (Options.Warning, Texts.Image (Line));
          end if;
          G.Refused := 0;
          G.Interval_End := Now + Schedule.Refusal_Interval;
       end if;
    end Count_Refusals;
 
-   procedure Serve (G : in out Gate) is
-      Watched : Monitor.Sockets.Gate.Socket_Array :=
-        (others => Monitor.Sockets.Nobody);
-      More    : Boolean := True;
-      Left    : Natural := Schedule.Newcomers_Per_Turn;
-      Where   : Place_Choice;
-      Next    : Time;
+   procedure Wait (G : Gate) is
+      --  For input from one of those asked, or its end, for a connection in
+      --  the kernel's queue, or for Wake_Server. May return early
+      Entries : Monitor.Sockets.Watch_Array (1 .. Waking);
+      Server  : constant Monitor.Sockets.Socket := Monitor.Sockets.Listening;
+      Ignored : Natural;
    begin
       for P in Place loop
          if G.Places (P).State = Asked then
-            Watched (P) := G.Places (P).Line;
+            Entries (P).Descriptor := Interfaces.C.int (G.Places (P).Line);
          end if;
       end loop;
+      Entries (Coming).Descriptor := Interfaces.C.int (Server);
+      Entries (Waking).Descriptor := Interfaces.C.int (Waker);
+      Monitor.Sockets.Poll
+        (Entries,
+         (if Oldest (G, Asked) > 0
+            or else G.Refused > Schedule.Refusals_Logged
+          then Interfaces.C.int (Schedule.Pending_Period / Milliseconds (1))
+          else -1));
+      Trace.Put (Trace.Start, Schedule.Th_Server);
+      if Entries (Waking).Returned /= 0 then
+         Event_Counters.Take (Waker, Ignored);
+      end if;
+   end Wait;
+
+   procedure Serve (G : in out Gate) is
+      More  : Boolean := True;
+      Left  : Natural := Schedule.Newcomers_Per_Turn;
+      Where : Place_Choice;
+      Next  : Time;
+   begin
       delay until G.Rest;
-      Monitor.Sockets.Gate.Wait
-        (Watched,
-         Oldest (G, Asked) > 0 or else G.Refused > Schedule.Refusals_Logged);
+      Wait (G);
       Count_Refusals (G);
       for P in Place loop
          pragma Loop_Invariant (Left > Place'Last - P);
@@ -202,5 +280,10 @@ package body Admission.Newcomers with SPARK_Mode is
       end if;
       Trace.Put (Trace.Done, Schedule.Th_Server);
    end Serve;
+
+   procedure Wake_Server is
+   begin
+      Event_Counters.Add (Waker);
+   end Wake_Server;
 
 end Admission.Newcomers;

@@ -3,29 +3,14 @@
 --  its token, and whether another monitor is in command.
 
 with Ada.Real_Time;
-with Monitor.Sockets.Gate;
+with Monitor.Sockets;
 with Networks;
 with Texts;
 
 package Admission.Newcomers with SPARK_Mode is
 
-   type Gate is private;
-   --  The pending connections
-
-   function New_Gate
-     (Allowed : Networks.List;
-      Token   : Admission.Token) return Gate;
-   --  No pending connection
-
-   procedure Serve (G : in out Gate);
-   --  One turn of th_server: waits for an event (new connection, data,
-   --  time-out, end of a session), and handles a limited number of
-   --  connections. Turns are at least a Newcomer_Interval apart, so a flood
-   --  cannot take all the processor time
-
-private
-
-   subtype Place is Monitor.Sockets.Gate.Place;
+   subtype Place is Positive range 1 .. 9;
+   --  Of a connection: eight that are pending, and the one that comes
 
    type Standing is
      (Free,
@@ -61,12 +46,23 @@ private
         and then
           (if N.State = Entitled and then Token.Length > 0 then
               Is_Right (N.Reader, Token)));
-   --  A connection is pending only if its address is allowed, and entitled
-   --  only if it has also sent the right line where one is required
+   --  The pending connections. One is pending only if its address is allowed,
+   --  and entitled only if it has also sent the right line where one is
+   --  required
 
    function New_Gate
      (Allowed : Networks.List;
       Token   : Admission.Token) return Gate
    is (Allowed => Allowed, Token => Token, others => <>);
+   --  No pending connection
+
+   procedure Serve (G : in out Gate);
+   --  One turn of th_server: waits for an event (new connection, data,
+   --  time-out, end of a session), and handles a limited number of
+   --  connections. Turns are at least a Newcomer_Interval apart, so a flood
+   --  cannot take all the processor time
+
+   procedure Wake_Server;
+   --  A session has ended
 
 end Admission.Newcomers;

@@ -3,20 +3,13 @@
 
 with Texts;
 
-package Admission.Secret_Files with
-  SPARK_Mode,
-  Abstract_State =>
-    (Files with Synchronous, External => (Async_Readers, Async_Writers)),
-  Initializes => Files
-is
+package Admission.Secret_Files with SPARK_Mode is
 
    procedure Read_Token
      (Path   : Texts.Text;
       Token  : out Admission.Token;
       Reason : out Texts.Text)
-   with
-     Global => (In_Out => Files),
-     Post   => (if Path.Length = 0 then Token.Length = 0);
+   with Post => (if Path.Length = 0 then Token.Length = 0);
    --  The token in the file Path. Never waits. Length 0: Path is empty, or,
    --  for the Reason, there is none or others could read it
 

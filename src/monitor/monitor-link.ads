@@ -2,16 +2,12 @@
 --  Detects the loss of the monitor from the kernel's data on the connection
 --  (TCP_INFO), sampled a few times a second.
 
-with Interfaces;
+with Interfaces; use Interfaces;
 with Texts;
 
 package Monitor.Link with SPARK_Mode is
 
-   use type Interfaces.Unsigned_64;
-
    type Milliseconds is range 0 .. 2 ** 62;
-
-   type Byte_Count is range 0 .. 2 ** 63 - 1;
 
    Vanished_After : constant Milliseconds := 4_000;
    --  A monitor is lost that is not heard for this long, or that acknowledges
@@ -34,13 +30,6 @@ package Monitor.Link with SPARK_Mode is
    --  version decides how many it fills in: since 5.4 these; an emulated one
    --  may give 4.
 
-   type Seconds is range -2 ** 63 .. 2 ** 63 - 1;
-
-   function Time_Of (Whole : Seconds; Rest : Integer) return Milliseconds is
-     (Milliseconds (Seconds'Max (0, Seconds'Min (Whole, 2 ** 50))) * 1_000
-      + Milliseconds (Integer'Max (0, Integer'Min (Rest, 999))));
-   --  Whole seconds of a clock, and the milliseconds of the next one
-
    type Sample is record
       Now            : Milliseconds := 0;
       --  Monotonic time of the sample.
@@ -48,14 +37,14 @@ package Monitor.Link with SPARK_Mode is
       --  The kernel has filled in the fields below.
       Patience       : Milliseconds := Milliseconds'Last;
       --  How long the monitor's program may be silent.
-      Unacknowledged : Natural      := 0;
+      Unacknowledged : Unsigned_32  := 0;
       --  Segments sent and not acknowledged (tcpi_unacked).
-      Outstanding    : Natural      := 0;
+      Outstanding    : Unsigned_64  := 0;
       --  The same and the bytes not sent, in our kernel's queue.
-      Window         : Natural      := 0;
+      Window         : Unsigned_32  := 0;
       --  Bytes that the peer's kernel would take, as last told
       --  (tcpi_snd_wnd). 0: its program does not read.
-      Probes         : Natural      := 0;
+      Probes         : Unsigned_32  := 0;
       --  Requests for an acknowledgement, without data, that are unanswered
       --  (tcpi_probes): keep-alive, or for room.
       Since_Heard    : Milliseconds := 0;
@@ -64,67 +53,31 @@ package Monitor.Link with SPARK_Mode is
       --  every second on an idle connection (keep-alive).
       Since_Data     : Milliseconds := 0;
       --  Age of the last data, which only the peer's program sends.
-      Bytes_Acked    : Byte_Count   := 0;
+      Bytes_Acked    : Unsigned_64  := 0;
       --  All bytes acknowledged so far (tcpi_bytes_acked).
    end record;
 
-   type Word_Array is array (Positive range <>) of Interfaces.Unsigned_32
-     with Convention => C;
-
-   type Tcp_Info is record
-      State       : Interfaces.Unsigned_8  := 0;
-      Congestion  : Interfaces.Unsigned_8  := 0;
-      Retransmits : Interfaces.Unsigned_8  := 0;
-      Probes      : Interfaces.Unsigned_8  := 0;
-      --  Unanswered
-      Times       : Word_Array (1 .. 5)    := (others => 0);
-      --  Options, times, segment sizes
-      Unacked     : Interfaces.Unsigned_32 := 0;
-      --  Segments
-      Counters    : Word_Array (1 .. 6)    := (others => 0);
-      --  Up to the age of the last one sent
-      Last_Data   : Interfaces.Unsigned_32 := 0;
-      --  Milliseconds since data was received
-      Last_Ack    : Interfaces.Unsigned_32 := 0;
-      --  Milliseconds since an acknowledgement was received
-      Metrics     : Word_Array (1 .. 11)   := (others => 0);
-      Pacing      : Word_Array (1 .. 4)    := (others => 0);
-      Bytes_Acked : Interfaces.Unsigned_64 := 0;
-      Bytes_Got   : Interfaces.Unsigned_64 := 0;
-      Segments    : Word_Array (1 .. 2)    := (others => 0);
-      Not_Sent    : Interfaces.Unsigned_32 := 0;
-      --  Bytes
-      Later       : Word_Array (1 .. 20)   := (others => 0);
-      --  Times, rates, counters
-      Window      : Interfaces.Unsigned_32 := 0;
-      --  Bytes that the peer takes, as last told
-   end record
-   with Convention => C, Size => 232 * 8;
-   --  The beginning of the kernel's struct tcp_info (linux/tcp.h)
-
-   function To_Natural (Value : Interfaces.Unsigned_64) return Natural is
-     (Natural
-        (Interfaces.Unsigned_64'Min
-           (Value, Interfaces.Unsigned_64 (Natural'Last))));
+   type Tcp_Info is array (1 .. Needed_Bytes / 4) of Unsigned_32
+   with Convention => C;
+   --  The beginning of the kernel's struct tcp_info (linux/tcp.h). Words
+   --  (little-endian): 1: the probes in its last byte, 7: tcpi_unacked,
+   --  14: tcpi_last_data_recv, 15: tcpi_last_ack_recv, 31 and 32:
+   --  tcpi_bytes_acked, 37: tcpi_notsent_bytes, 58: tcpi_snd_wnd
 
    function Sample_Of
-     (Info : Tcp_Info; Length : Natural; Now : Milliseconds)
-      return Sample
+     (Info : Tcp_Info; Length : Natural; Now : Milliseconds) return Sample
    is (if Length >= Needed_Bytes then
          (Now            => Now,
           Known          => True,
-          Unacknowledged =>
-            To_Natural (Interfaces.Unsigned_64 (Info.Unacked)),
-          Outstanding    =>
-            To_Natural (Interfaces.Unsigned_64 (Info.Not_Sent)
-                        + Interfaces.Unsigned_64 (Info.Unacked)),
-          Window         => To_Natural (Interfaces.Unsigned_64 (Info.Window)),
-          Probes         => Natural (Info.Probes),
-          Since_Heard    => Milliseconds
-            (Interfaces.Unsigned_32'Min (Info.Last_Ack, Info.Last_Data)),
-          Since_Data     => Milliseconds (Info.Last_Data),
-          Bytes_Acked    => Byte_Count
-            (Info.Bytes_Acked and (2 ** 63 - 1)),
+          Unacknowledged => Info (7),
+          Outstanding    => Unsigned_64 (Info (7)) + Unsigned_64 (Info (37)),
+          Window         => Info (58),
+          Probes         => Info (1) / 2 ** 24,
+          Since_Heard    =>
+            Milliseconds (Unsigned_32'Min (Info (14), Info (15))),
+          Since_Data     => Milliseconds (Info (14)),
+          Bytes_Acked    =>
+            2 ** 32 * Unsigned_64 (Info (32)) + Unsigned_64 (Info (31)),
           others         => <>)
        else (Now => Now, others => <>));
    --  Length: bytes of Info that the kernel has filled in
@@ -155,15 +108,12 @@ package Monitor.Link with SPARK_Mode is
       --  Bytes were outstanding at the last sample ...
       Holding_Since : Milliseconds := 0;
       --  ... since then, without any acknowledgement.
-      Acked         : Byte_Count   := 0;
+      Acked         : Unsigned_64  := 0;
       --  Bytes acknowledged at the last sample.
    end record;
 
    function Elapsed (Since, Now : Milliseconds) return Milliseconds is
      (if Now > Since then Now - Since else 0);
-
-   function Is_Progress (S : State; X : Sample) return Boolean is
-     (X.Bytes_Acked /= S.Acked);
 
    function Has_Room (X : Sample) return Boolean is
      (X.Outstanding > 0 and then X.Window > 0);
@@ -187,18 +137,14 @@ package Monitor.Link with SPARK_Mode is
    --  Silence alone is no cut: with a closed window, or during a long wait for
    --  admission, the kernel may not have probed the peer for long.
 
-   function Is_Silent (X : Sample) return Boolean is
-     (X.Since_Data > X.Patience);
-
-   function Is_Stalled (S : State; X : Sample) return Boolean is
-     (S.Holding and then Elapsed (S.Holding_Since, X.Now) >= Stalled_After);
-
    function Verdict_On (S : State; X : Sample) return Verdict is
      (if Is_Cut (S, X) then
         (if Has_Room (X) and then X.Unacknowledged = 0 then Unreachable
          else Vanished)
-      elsif Is_Silent (X) then Silent
-      elsif Is_Stalled (S, X) then Stalled
+      elsif X.Since_Data > X.Patience then Silent
+      elsif S.Holding
+        and then Elapsed (S.Holding_Since, X.Now) >= Stalled_After
+      then Stalled
       else Present);
 
    function Started (Now : Milliseconds) return State is
@@ -209,12 +155,12 @@ package Monitor.Link with SPARK_Mode is
      (Watched_Since => S.Watched_Since,
       Waiting       => Is_Due (X),
       Waiting_Since =>
-        (if S.Waiting and then Is_Due (X) and then not Is_Progress (S, X)
+        (if S.Waiting and then Is_Due (X) and then X.Bytes_Acked = S.Acked
          then S.Waiting_Since else X.Now),
       Holding       => X.Outstanding > 0,
       Holding_Since =>
         (if S.Holding and then X.Outstanding > 0
-           and then not Is_Progress (S, X)
+           and then X.Bytes_Acked = S.Acked
          then S.Holding_Since else X.Now),
       Acked         => X.Bytes_Acked);
    --  With one sample more

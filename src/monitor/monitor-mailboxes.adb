@@ -2,21 +2,8 @@
 
 package body Monitor.Mailboxes with SPARK_Mode is
 
-   procedure Skip_Nothing (Q : in out Answer_Queues.Queue)
-   with
-     Post => Answer_Queues.Length (Q) <= Answer_Queues.Length (Q'Old)
-       and then (for all Old in 1 .. Answer_Queues.Length (Q) =>
-                   At_Age (Q, Old) = At_Age (Q'Old, Old))
-       and then
-         (for all Old in Answer_Queues.Length (Q) + 1
-                      .. Answer_Queues.Length (Q'Old) =>
-            At_Age (Q'Old, Old).State = Ready_Nothing)
-       and then
-         (if Answer_Queues.Length (Q) > 0 then
-             Answer_Queues.Element_At (Q, 1).State /= Ready_Nothing)
-   is
+   procedure Skip_Nothing (Q : in out Answer_Queues.Queue) is
       --  Removes the places at the front that have nothing to send, no others
-      Before : constant Answer_Queues.Queue := Q with Ghost;
    begin
       while Answer_Queues.Length (Q) > 0
         and then Answer_Queues.Element_At (Q, 1).State = Ready_Nothing
@@ -24,37 +11,12 @@ package body Monitor.Mailboxes with SPARK_Mode is
          Answer_Queues.Remove_First (Q);
          pragma Loop_Variant (Decreases => Answer_Queues.Length (Q));
          pragma Loop_Invariant
-           (Answer_Queues.Length (Q) < Answer_Queues.Length (Before));
+           (Answer_Queues.Length (Q) < Answer_Queues.Length (Q'Loop_Entry));
          pragma Loop_Invariant
            (for all Old in 1 .. Answer_Queues.Length (Q) =>
-              At_Age (Q, Old) = At_Age (Before, Old));
-         pragma Loop_Invariant
-           (for all Old in Answer_Queues.Length (Q) + 1
-                        .. Answer_Queues.Length (Before) =>
-              At_Age (Before, Old).State = Ready_Nothing);
+              At_Age (Q, Old) = At_Age (Q'Loop_Entry, Old));
       end loop;
    end Skip_Nothing;
-
-   procedure Put
-     (B : in out Mailbox; Number : Commands.Ticket; Item : Answer_Place)
-   with
-     Pre  => Item.State /= Awaited,
-     Post => Is_Answered (B, B'Old, Number, Item)
-       and then B.Arena = B'Old.Arena
-   is
-      Before : constant Mailbox := B with Ghost;
-   begin
-      if Is_Awaited (B, Number) then
-         Answer_Queues.Replace
-           (B.Answers, Pending (B) + 1 - Age_Of (B, Number), Item);
-         pragma Assert
-           (for all Old in 1 .. Pending (B) =>
-              At_Age (B.Answers, Old) =
-                (if Old = Age_Of (Before, Number) then Item
-                 else At_Age (Before.Answers, Old)));
-         Skip_Nothing (B.Answers);
-      end if;
-   end Put;
 
    function Hold_After
      (B : Mailbox; New_Command : Boolean; Now : Time) return Hold is
@@ -97,7 +59,7 @@ package body Monitor.Mailboxes with SPARK_Mode is
       Number := B.Next;
       if not B.Open then
          Result := Closed;
-      elsif Is_Full (B) then
+      elsif Pending (B) = Commands.Capacity then
          Result := Full;
       else
          Answer_Queues.Put (B.Answers, (others => <>));
@@ -108,10 +70,20 @@ package body Monitor.Mailboxes with SPARK_Mode is
    end Reserve;
 
    procedure Put_Answer
-     (B : in out Mailbox; Number : Commands.Ticket; Line : Short_Text) is
+     (B : in out Mailbox; Number : Commands.Ticket; Item : Answer_Place)
+   is
+      Before : constant Mailbox := B with Ghost;
    begin
-      Put (B, Number,
-           ((if Line.Length > 0 then Ready_Text else Ready_Nothing), Line));
+      if Is_Awaited (B, Number) then
+         Answer_Queues.Replace
+           (B.Answers, Pending (B) + 1 - Age_Of (B, Number), Item);
+         pragma Assert
+           (for all Old in 1 .. Pending (B) =>
+              At_Age (B.Answers, Old) =
+                (if Old = Age_Of (Before, Number) then Item
+                 else At_Age (Before.Answers, Old)));
+         Skip_Nothing (B.Answers);
+      end if;
    end Put_Answer;
 
    procedure Put_Arena
@@ -125,7 +97,7 @@ package body Monitor.Mailboxes with SPARK_Mode is
       Accepted := not Held or else not B.Arena;
       Kept := Held and then not B.Arena;
       if Kept then
-         Put (B, Number, (Ready_Image, No_Line));
+         Put_Answer (B, Number, (Ready_Image, No_Line));
          B.Arena := True;
       end if;
    end Put_Arena;

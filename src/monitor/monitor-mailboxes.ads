@@ -7,7 +7,6 @@
 with Ada.Real_Time;
 with Bounded_Queues;
 with Commands;
-with Monitor.Notices;
 with Monitor.Protocol; use Monitor.Protocol;
 with Options;
 with Schedule;
@@ -51,8 +50,9 @@ package Monitor.Mailboxes with SPARK_Mode is
    end record;
    --  An unsolicited message without an image
 
-   function Told (Item : Monitor.Notices.Notice) return Notice is
-     ((Text, Monitor.Notices.Line_Of (Item), others => <>));
+   function Told (Message : String) return Notice is
+     ((Text, Short (Log_Label & Separator & Message), others => <>))
+   with Pre => Message'Length in 1 .. 80;
 
    type Answer_State is
      (Awaited,         --  not answered yet
@@ -139,9 +139,6 @@ package Monitor.Mailboxes with SPARK_Mode is
 
    function Pending (B : Mailbox) return Commands.Order_Count is
      (Answer_Queues.Length (B.Answers));
-
-   function Is_Full (B : Mailbox) return Boolean is
-     (Pending (B) = Commands.Capacity);
 
    function Holds (B : Mailbox; Number : Commands.Ticket) return Boolean is
      (B.Next - Number in 1 .. Commands.Ticket (Pending (B)));
@@ -289,8 +286,7 @@ package Monitor.Mailboxes with SPARK_Mode is
 
    --  The session
 
-   procedure Open_Session (B : in out Mailbox)
-   with Post => B.Open and then B.First = B.Next;
+   procedure Open_Session (B : in out Mailbox);
    --  A monitor has been admitted. The box is empty: without a session nothing
    --  is put into it
 
@@ -298,12 +294,10 @@ package Monitor.Mailboxes with SPARK_Mode is
    with
      Post => not B.Open
        and then not Any_Waits (B)
-       and then not B.Held.On
-       and then not B.Held.Released
        and then Pending (B) = 0
        and then B.Made = B'Old.Made + 1
        and then B.Next = B'Old.Next;
-   --  Empties the box. All earlier commands have numbers below B.Next
+   --  Empties the box
 
    --  The answers
 
@@ -315,17 +309,12 @@ package Monitor.Mailboxes with SPARK_Mode is
       Number : out Commands.Ticket;
       Result : out Reservation)
    with
-     Post => Number = B'Old.Next
-       and then Result =
-         (if not B.Open then Closed
-          elsif Is_Full (B'Old) then Full
-          else Reserved)
-       and then B.Open = B'Old.Open
-       and then B.Lines = B'Old.Lines
-       and then B.Next = Number + (if Result = Reserved then 1 else 0)
+     Post => B.Lines = B'Old.Lines
+       and then Answer_Queues.Begins_With (B.Answers, B'Old.Answers)
        and then
          (if Result = Reserved then
-             Answer_Queues.Begins_With (B.Answers, B'Old.Answers)
+             Number = B'Old.Next
+             and then B.Next = Number + 1
              and then Pending (B) = Pending (B'Old) + 1
              and then Is_Awaited (B, Number));
    --  Adds a place for the answer to the next command
@@ -349,13 +338,12 @@ package Monitor.Mailboxes with SPARK_Mode is
    --  as Before; those at the front that have nothing to send are gone
 
    procedure Put_Answer
-     (B : in out Mailbox; Number : Commands.Ticket; Line : Short_Text)
+     (B : in out Mailbox; Number : Commands.Ticket; Item : Answer_Place)
    with
-     Post => Is_Answered
-       (B, B'Old, Number,
-        ((if Line.Length > 0 then Ready_Text else Ready_Nothing), Line));
-   --  The answer to a command; no effect if it has one already, or its session
-   --  has ended. No_Line: it needs none, but later ones may wait for it
+     Pre  => Item.State /= Awaited,
+     Post => Is_Answered (B, B'Old, Number, Item)
+       and then B.Arena = B'Old.Arena;
+   --  No effect if it has one already, or its session has ended
 
    procedure Put_Arena
      (B        : in out Mailbox;
@@ -363,10 +351,7 @@ package Monitor.Mailboxes with SPARK_Mode is
       Accepted : out Boolean;
       Kept     : out Boolean)
    with
-     Post => Accepted = (not Holds (B'Old, Number) or else not B'Old.Arena)
-       and then Kept = (Accepted and then Holds (B'Old, Number))
-       and then B.Arena = (B'Old.Arena or else Kept)
-       and then B.Lines = B'Old.Lines
+     Post => B.Lines = B'Old.Lines
        and then
          (if Kept then Is_Answered (B, B'Old, Number, (Ready_Image, No_Line)));
    --  The image that answers an arena request. Not accepted while the one
@@ -376,18 +361,9 @@ package Monitor.Mailboxes with SPARK_Mode is
 
    procedure Put (B : in out Mailbox; Item : Notice; Now : Time)
    with
-     Post =>
-       (if Is_Wanted (B'Old, Item) and then Item.Kind = Text then
-           Text_Queues.Element_At (B.Texts, Text_Queues.Length (B.Texts)) =
-             Item.Line)
-       and then
-         (for all Kind in Notice_Kind =>
-            B.Lines (Kind) =
-              (if not Is_Wanted (B'Old, Item) or else Item.Kind = Text
-               then B'Old.Lines (Kind)
-               elsif Kind = Item.Kind then Item.Line
-               elsif Kind = Progress and then Item.Kind = Ending then No_Line
-               else B'Old.Lines (Kind)));
+     Post => B.Lines (Ending) =
+       (if Item.Kind = Ending and then Is_Wanted (B'Old, Item) then Item.Line
+        else B'Old.Lines (Ending));
    --  No effect where it is not wanted. If there is no room for a text, the
    --  oldest is dropped
 
@@ -406,10 +382,7 @@ package Monitor.Mailboxes with SPARK_Mode is
    with
      Post => B.Made = B'Old.Made + 1
        and then not B.Image
-       and then (for all Kind in Notice_Kind =>
-                   B.Lines (Kind) =
-                     (if Kind = Position then No_Line
-                      else B'Old.Lines (Kind)));
+       and then B.Lines (Ending) = B'Old.Lines (Ending);
    --  Begins a new generation and drops the waiting image of the older one
 
    --  The sending
@@ -422,46 +395,31 @@ package Monitor.Mailboxes with SPARK_Mode is
       Next      : out Item;
       Left      : out Boolean)
    with
-     Post => Left = (B'Old.Busy and then not B'Old.Open)
-       and then Next.Gap = Gap (B'Old, Mailboxes.Next (B'Old), Between)
+     Post => Next.Gap = Gap (B'Old, Mailboxes.Next (B'Old), Between)
        and then Next.Kind =
          (if Now >= Last_Sent + Ada.Real_Time.Milliseconds (Next.Gap)
           then Mailboxes.Next (B'Old)
           else Nothing)
-       and then B.Busy = (Next.Kind /= Nothing)
-       and then Next.Unsent = B.Busy
-       and then B.Open = B'Old.Open
-       and then Next.Is_Image =
-         (Next.Kind = Image
-          or else (Next.Kind = Answer
-                   and then First (B'Old).State = Ready_Image))
+       and then Next.Unsent = (Next.Kind /= Nothing)
        and then
          (case Next.Kind is
              when Nothing    => True,
              when Answer     =>
-               (Next.Is_Image or else Next.Line = First (B'Old).Line)
+               (if Next.Is_Image then First (B'Old).State = Ready_Image
+                else Next.Line = First (B'Old).Line)
                and then Pending (B) < Pending (B'Old),
              when Text       =>
                Next.Line = Text_Queues.Element_At (B'Old.Texts, 1),
-             when Image      => not B.Image,
+             when Image      => Next.Is_Image and then not B.Image,
              when others     => Next.Line = B'Old.Lines (Next.Kind))
        and then
-         (for all Kind in Notice_Kind =>
-            B.Lines (Kind) =
-              (if Kind = Next.Kind and then Kind /= Text then No_Line
-               else B'Old.Lines (Kind)));
-   --  The message taken before has been sent, or could not be. Takes the most
-   --  urgent message that may be sent now, if any: Next.Gap after the last
-   --  one, which was sent at Last_Sent. Left: the session of the message
-   --  before has ended meanwhile
+         (if Next.Kind /= Ending then
+             B.Lines (Ending) = B'Old.Lines (Ending));
+   --  As Monitor.Outbox.Take says. Left: the session of the message before has
+   --  ended meanwhile
 
    procedure End_Hold (B : in out Mailbox; Now : Time)
-   with
-     Post => B.Held.Released =
-         (B'Old.Held.Released
-          or else (B.Held.On and then Now >= End_Of (B.Held)))
-       and then B.Held.On = B'Old.Held.On
-       and then B.Lines = B'Old.Lines;
+   with Post => B.Lines = B'Old.Lines;
    --  Ends the hold if its time has come
 
 end Monitor.Mailboxes;

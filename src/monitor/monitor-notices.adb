@@ -1,37 +1,8 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
 
-with Schedule;
+with Commands;
 
 package body Monitor.Notices with SPARK_Mode is
-
-   Silence : constant String :=
-     (Character'Val (48 + Schedule.Camera_Silence_Tenths / 10), '.',
-      Character'Val (48 + Schedule.Camera_Silence_Tenths mod 10));
-   --  In seconds
-
-   No_Mission : constant String := "mission not possible: ";
-
-   function Text_Of (Item : Notice) return String is
-     (case Item is
-         when Robot_Not_Running =>
-            "robot no longer runs (watchdog or reset): reset and "
-            & "start again",
-         when Robot_Lost_Empty  =>
-            "robot lost: its battery was empty, it may be off: charge it",
-         when Camera_Silent     =>
-            "camera closed: it has delivered nothing for " & Silence & " s",
-         when Camera_Ended      =>
-            "camera closed: it delivers no images any more",
-         when Needs_Started_Robot   => No_Mission & "robot not started",
-         when Needs_Open_Camera     => No_Mission & "camera closed",
-         when Needs_Positions       => No_Mission & "positions off",
-         when Needs_Confirmed_Arena => No_Mission & "arena not confirmed",
-         when Needs_Larger_Arena    =>
-            No_Mission & "arena too small in the image",
-         when Needs_Seen_Robot      =>
-            No_Mission & "robot not seen, or more than one",
-         when Needs_Points_Inside   =>
-            No_Mission & "a point is outside the arena less its margin");
 
    function Image (Value : Percent) return String is
       Line : Short_Text;
@@ -46,13 +17,66 @@ package body Monitor.Notices with SPARK_Mode is
       Line : Short_Text;
    begin
       Append (Line, Progress_Label & Separator);
-      Append_Number (Line, Leg);
+      Numbers.Append (Leg, 1, Line.Data, Line.Length);
       Append (Line, (1 => Field_Separator));
-      Append_Number (Line, Of_Legs);
+      Numbers.Append (Of_Legs, 1, Line.Data, Line.Length);
       Append (Line, (1 => Field_Separator));
-      Append_Number (Line, Distance);
+      Numbers.Append (Distance, 1, Line.Data, Line.Length);
       Append (Line, (1 => Line_Feed));
       return Line;
    end Progress_Line;
+
+   procedure Append (Line : in out Short_Text; Value : Micro)
+   with
+     Pre  => Line.Length <= Max_Short_Line - 19,
+     Post => Line.Length
+       <= Line.Length'Old + (if Value in Coordinate then 13 else 17)
+   is
+      --  A separator, and Value with six decimals
+      Size : constant Micro := abs Value;
+   begin
+      Append (Line, Field_Separator & (if Value < 0 then "-" else ""));
+      Numbers.Append
+        (Numbers.Number (Size / 1_000_000), 1, Line.Data, Line.Length);
+      Append (Line, ".");
+      Numbers.Append
+        (Numbers.Number (Size mod 1_000_000), 6, Line.Data, Line.Length);
+   end Append;
+
+   function Position_Line (P : Position) return Short_Text is
+      Line : Short_Text;
+   begin
+      Append
+        (Line, Position_Label & Separator & (if P.Id < 0 then "-" else ""));
+      Numbers.Append (abs P.Id, 1, Line.Data, Line.Length);
+      Append (Line, P.Angle);
+      Append (Line, P.Cx);
+      Append (Line, P.Cy);
+      Append (Line, P.Dx);
+      Append (Line, P.Dy);
+      Append (Line, (1 => Line_Feed));
+      return Line;
+   end Position_Line;
+
+   function Ground
+     (Size   : Arena_Size;
+      Margin : Natural;
+      Where  : Corners) return Short_Text
+   is
+      Line : Short_Text;
+   begin
+      Append (Line, Commands.Table (Commands.Get_Ground).Label & Separator);
+      Numbers.Append (Size.Width, 1, Line.Data, Line.Length);
+      Append (Line, (1 => Field_Separator));
+      Numbers.Append (Size.Height, 1, Line.Data, Line.Length);
+      Append (Line, (1 => Field_Separator));
+      Numbers.Append (Margin, 1, Line.Data, Line.Length);
+      for I in Where'Range loop
+         Append (Line, Where (I));
+         pragma Loop_Invariant (Line.Length <= 16 + 13 * I);
+      end loop;
+      Append (Line, (1 => Line_Feed));
+      return Line;
+   end Ground;
 
 end Monitor.Notices;

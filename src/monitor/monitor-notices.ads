@@ -1,53 +1,48 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  The messages to the monitor that nobody has asked for: texts (MSSG), and
---  the progress and end of a mission (MPRG, MEND).
+--  The messages to the monitor that are no plain replies: texts (MSSG), the
+--  progress and end of a mission (MPRG, MEND), the robot's position (CPOS) and
+--  the arena's ground (CARN).
 
 with Missions;         use Missions;
 with Monitor.Protocol; use Monitor.Protocol;
+with Schedule;
 
 package Monitor.Notices with SPARK_Mode is
 
    pragma Annotate (GNATprove, Terminating, Monitor.Notices);
 
-   type Notice is
-     (Robot_Not_Running,
-      Robot_Lost_Empty,        --  its battery
-      Camera_Silent,
-      Camera_Ended,
-      Needs_Started_Robot,     --  why a mission is not possible
-      Needs_Open_Camera,
-      Needs_Positions,
-      Needs_Confirmed_Arena,
-      Needs_Larger_Arena,
-      Needs_Seen_Robot,
-      Needs_Points_Inside)
-   with Default_Value => Robot_Not_Running;
-
-   function Text_Of (Item : Notice) return String
+   function Text_Of (Why : Refusal) return String is
+     ("mission not possible: "
+      & (case Why is
+            when Robot_Not_Started   => "robot not started",
+            when Camera_Closed       => "camera closed",
+            when Positions_Off       => "positions off",
+            when Arena_Not_Confirmed => "arena not confirmed",
+            when Arena_Too_Small     => "arena too small in the image",
+            when Robot_Not_Seen      => "robot not seen, or more than one",
+            when Point_Outside       =>
+               "a point is outside the arena less its margin"))
    with
      Post => Text_Of'Result'First = 1
-       and then Text_Of'Result'Length in 1 .. 80
-       and then (for all C of Text_Of'Result => C in ' ' .. '~');
+       and then Text_Of'Result'Length in 1 .. 80;
 
-   function Line_Of (Item : Notice) return Short_Text is
-     (Short (Log_Label & Separator & Text_Of (Item)));
+   Robot_Not_Running : constant String :=
+     "robot no longer runs (watchdog or reset): reset and start again";
 
-   function Notice_Of (Why : Refusal) return Notice is
-     (case Why is
-         when Robot_Not_Started   => Needs_Started_Robot,
-         when Camera_Closed       => Needs_Open_Camera,
-         when Positions_Off       => Needs_Positions,
-         when Arena_Not_Confirmed => Needs_Confirmed_Arena,
-         when Arena_Too_Small     => Needs_Larger_Arena,
-         when Robot_Not_Seen      => Needs_Seen_Robot,
-         when Point_Outside       => Needs_Points_Inside);
+   Robot_Lost_Empty : constant String :=
+     "robot lost: its battery was empty, it may be off: charge it";
+
+   Camera_Silent : constant String :=
+     "camera closed: it has delivered nothing for "
+     & (Character'Val (48 + Schedule.Camera_Silence_Tenths / 10), '.',
+        Character'Val (48 + Schedule.Camera_Silence_Tenths mod 10)) & " s";
+
+   Camera_Stopped : constant String :=
+     "camera closed: it delivers no images any more";
 
    --  Missions
 
    subtype Millimetres is Natural range 0 .. 9_999_999;
-
-   Max_Text : constant := 48;
-   --  Characters of an end's text, at most
 
    function Image (Value : Percent) return String
    with
@@ -75,7 +70,7 @@ package Monitor.Notices with SPARK_Mode is
          when No_Way           => "aborted;no permitted way")
    with
      Post => Text_Of'Result'First = 1
-       and then Text_Of'Result'Length in 4 .. Max_Text
+       and then Text_Of'Result'Length in 4 .. 48
        and then (for all C of Text_Of'Result => C in ' ' .. '~');
 
    function Progress_Line
@@ -85,5 +80,47 @@ package Monitor.Notices with SPARK_Mode is
    function End_Line (Why : Ending; Measured : Percent) return Short_Text is
      (Short (End_Label & Separator & Text_Of (Why, Measured)));
    --  MEND:text
+
+   --  Positions
+
+   type Micro is range -10 ** 13 .. 10 ** 13;
+   --  Millionths: of a pixel, or of a degree
+
+   subtype Robot_Id is Integer range -1 .. 999;
+   --  The number of a marker; -1 without a robot
+
+   type Position is record
+      Id     : Robot_Id := -1;
+      Angle  : Micro    := 0;
+      Cx, Cy : Micro    := 0;
+      Dx, Dy : Micro    := 0;
+   end record;
+   --  Angle in degrees; centre (Cx, Cy) and direction (Dx, Dy) in pixels of
+   --  the whole image
+
+   Not_Found : constant Position :=
+     (Id => -1, Angle => 0, Cx => -1_000_000, Cy => -1_000_000,
+      Dx => 0, Dy => 0);
+   --  No robot in the image: F18 requires identifier and centre; angle and
+   --  direction are 0 as in the empty position of the existing platform
+
+   function Position_Line (P : Position) return Short_Text;
+   --  CPOS:id;angle;cx;cy;dx;dy and a line feed: the id as an integer, the
+   --  others with exactly six decimals
+
+   subtype Coordinate is Micro range -999_999_999 .. 9_999_999_999;
+   --  In every image
+
+   type Corners is array (1 .. 8) of Coordinate;
+   --  x and y of an arena's corners, clockwise from the upper left one
+
+   function Ground
+     (Size   : Arena_Size;
+      Margin : Natural;
+      Where  : Corners) return Short_Text
+   with Pre => Margin <= 9;
+   --  CARN:width;height;margin;x;y;x;y;x;y;x;y and a line feed: centimetres,
+   --  then pixels with exactly six decimals. A mission's points keep Margin
+   --  from the border
 
 end Monitor.Notices;

@@ -98,8 +98,11 @@ package body Monitor.Outbox with SPARK_Mode is
          Line   : Monitor.Protocol.Short_Text;
          Full   : out Boolean) is
       begin
-         Full := Monitor.Mailboxes.Is_Full (Mail);
-         Monitor.Mailboxes.Put_Answer (Mail, Number, Line);
+         Full := Monitor.Mailboxes.Pending (Mail) = Commands.Capacity;
+         Monitor.Mailboxes.Put_Answer
+           (Mail, Number,
+            ((if Line.Length > 0 then Monitor.Mailboxes.Ready_Text
+              else Monitor.Mailboxes.Ready_Nothing), Line));
       end Answer;
 
       procedure Answer_With_Image
@@ -148,7 +151,7 @@ package body Monitor.Outbox with SPARK_Mode is
       is
          Now : constant Time := Clock;
       begin
-         Full := Monitor.Mailboxes.Is_Full (Mail);
+         Full := Monitor.Mailboxes.Pending (Mail) = Commands.Capacity;
          Monitor.Mailboxes.End_Hold (Mail, Now);
          Monitor.Mailboxes.Take (Mail, Between, Now, Last_Sent, Next, Left);
          if Next.Kind = Monitor.Mailboxes.Image then
@@ -285,7 +288,5 @@ package body Monitor.Outbox with SPARK_Mode is
    end Wait_Sender;
 
 begin
-
    Box.Fill (First, Second);
-
 end Monitor.Outbox;

@@ -2,6 +2,19 @@
 
 package body Monitor.Protocol with SPARK_Mode is
 
+   function Place_Of
+     (Mark : Character; Line : String; First : Positive; Last : Natural)
+      return Positive is
+   begin
+      for I in First .. Last loop
+         if Line (I) = Mark then
+            return I;
+         end if;
+         pragma Loop_Invariant (for all J in First .. I => Line (J) /= Mark);
+      end loop;
+      return Last + 1;
+   end Place_Of;
+
    procedure Parse (Line : String; C : out Command) is
    begin
       C := (Malformed, 0);
@@ -19,10 +32,42 @@ package body Monitor.Protocol with SPARK_Mode is
       end loop;
    end Parse;
 
+   procedure Parse
+     (Line    : String;
+      First   : Positive;
+      Measure : Unit;
+      Most    : Point_Number;
+      P       : out Path;
+      Valid   : out Boolean)
+   is
+      Next   : Positive := First;
+      Second : Positive;
+   begin
+      P := (Measure => Measure, others => <>);
+      Valid := Is_Path (Line, First, Most);
+      if Valid then
+         loop
+            Second := Field_End (Line, Next) + 2;
+            P.Count := P.Count + 1;
+            P.Points (P.Count) :=
+              (X => Coordinate_Value (Line, Next, Second - 2),
+               Y => Coordinate_Value (Line, Second, Field_End (Line, Second)));
+            exit when Field_End (Line, Second) = Line'Last;
+            Next := Field_End (Line, Second) + 2;
+            pragma Loop_Invariant (Is_Slice (Line, Next, Line'Last));
+            pragma Loop_Invariant (P.Measure = Measure);
+            pragma Loop_Invariant (P.Count in 1 .. Most - 1);
+            pragma Loop_Invariant
+              (Are_Points (Line, Next, 2 * (Most - P.Count)));
+            pragma Loop_Variant (Increases => P.Count);
+         end loop;
+      end if;
+   end Parse;
+
    function Telnet_End
      (Line : String; First : Positive; Last : Natural) return Natural
    with
-     Pre  => Monitor.Paths.Is_Slice (Line, First, Last),
+     Pre  => Is_Slice (Line, First, Last),
      Post => Telnet_End'Result in First - 1 .. Last
    is
       --  The end of the telnet command at First; First - 1 if there is none.
@@ -58,7 +103,7 @@ package body Monitor.Protocol with SPARK_Mode is
    function After_Telnet
      (Line : String; First : Positive; Last : Natural) return Positive
    with
-     Pre  => Monitor.Paths.Is_Slice (Line, First, Last),
+     Pre  => Is_Slice (Line, First, Last),
      Post => After_Telnet'Result in First .. Last + 1
    is
       --  Where what follows the telnet commands at First begins. One that has
@@ -78,13 +123,11 @@ package body Monitor.Protocol with SPARK_Mode is
 
    function Received (R : Line_Reader) return Natural is
      (if R.Length > 0 and then R.Data (R.Length) = Carriage_Return
-      then R.Length - 1 else R.Length)
-   with Post => Received'Result <= R.Length;
+      then R.Length - 1 else R.Length);
    --  Characters of the line so far, without a carriage return at its end
 
    function Text_First (R : Line_Reader) return Positive is
-     (After_Telnet (R.Data, 1, Received (R)))
-   with Post => Text_First'Result <= Received (R) + 1;
+     (After_Telnet (R.Data, 1, Received (R)));
 
    function Text_Last (R : Line_Reader) return Natural
    with Post => Text_Last'Result in Text_First (R) - 1 .. Received (R)
@@ -174,13 +217,5 @@ package body Monitor.Protocol with SPARK_Mode is
       Line.Data (Line.Length + 1 .. Line.Length + Text'Length) := Text;
       Line.Length := Line.Length + Text'Length;
    end Append;
-
-   procedure Append_Number
-     (Line  : in out Short_Text;
-      N     : Numbers.Number;
-      Width : Numbers.Digit_Count := 1) is
-   begin
-      Numbers.Append (N, Width, Line.Data, Line.Length);
-   end Append_Number;
 
 end Monitor.Protocol;

@@ -2,9 +2,15 @@
 --  The protocol of the monitor: parses its lines, and formats answers.
 
 with Commands; use Commands;
-with Monitor.Paths;
+with Decimals;
+with Missions; use Missions;
 
 package Monitor.Protocol with SPARK_Mode is
+
+   pragma Annotate (GNATprove, Terminating, Monitor.Protocol);
+
+   pragma Assertion_Policy (Subprogram_Variant => Ignore);
+   --  Proved; GNAT 12 cannot compile the run-time check.
 
    Max_Line : constant := 1024;
    --  Characters of a line from the monitor, without its end.
@@ -26,11 +32,111 @@ package Monitor.Protocol with SPARK_Mode is
    Separator : constant Character := ':';
    --  Between a label and its data.
 
+   Field_Separator : constant Character := ';';
+   --  Between the fields of a line's data, such as the coordinates of a path.
+
    Text_Offset : constant := 5;
    --  The text of a Log_Message is Line (Line'First + Text_Offset ..
    --  Line'Last); it may be empty. The path of a mission begins there, too.
 
-   package Numbers renames Monitor.Paths.Numbers;
+   package Numbers is new Decimals (Character, String);
+
+   function Is_Slice
+     (Line : String; First : Positive; Last : Integer) return Boolean is
+     (Line'Last < Integer'Last
+      and then First >= Line'First
+      and then Last <= Line'Last
+      and then First <= Last + 1);
+   --  Line (First .. Last) is a part of Line, perhaps empty
+
+   --  A coordinate of a path: an optional minus sign, one to seven digits,
+   --  then nothing, or a point and one to six digits
+
+   function Place_Of
+     (Mark : Character; Line : String; First : Positive; Last : Natural)
+      return Positive
+   with
+     Pre  => Is_Slice (Line, First, Last),
+     Post => Place_Of'Result in First .. Last + 1
+       and then (for all I in First .. Place_Of'Result - 1 => Line (I) /= Mark)
+       and then (if Place_Of'Result <= Last then
+                    Line (Place_Of'Result) = Mark);
+   --  The first place of Mark in Line (First .. Last); Last + 1: there is none
+
+   function Are_Digits
+     (Line : String; First : Positive; Last : Natural; Most : Positive)
+      return Boolean
+   is (Last >= First
+       and then Last - First < Most
+       and then Numbers.Are_Digits (Line, First, Last))
+   with Pre => Is_Slice (Line, First, Last);
+
+   function Is_Size
+     (Line : String; First : Positive; Last : Natural) return Boolean
+   is (Are_Digits (Line, First, Place_Of ('.', Line, First, Last) - 1, 7)
+       and then
+         (Place_Of ('.', Line, First, Last) > Last
+          or else Are_Digits
+            (Line, Place_Of ('.', Line, First, Last) + 1, Last, 6)))
+   with Pre => Is_Slice (Line, First, Last);
+
+   subtype Fraction_Digits is Positive range 1 .. 6;
+
+   function Scale (Count : Fraction_Digits) return Millionths is
+     (if Count = 6 then 1 else Millionths (Numbers.Largest (6 - Count)) + 1);
+   --  Millionths in a unit of the last of Count digits after the point
+
+   function Size_Value
+     (Line : String; First : Positive; Last : Natural) return Millionths
+   is (Millionths
+         (Numbers.Value (Line, First, Place_Of ('.', Line, First, Last) - 1))
+       * 1_000_000
+       + (if Place_Of ('.', Line, First, Last) > Last then 0
+          else Millionths
+            (Numbers.Value (Line, Place_Of ('.', Line, First, Last) + 1, Last))
+            * Scale (Last - Place_Of ('.', Line, First, Last))))
+   with
+     Pre  => Is_Slice (Line, First, Last) and then Is_Size (Line, First, Last),
+     Post => Size_Value'Result >= 0;
+
+   function Is_Coordinate
+     (Line : String; First : Positive; Last : Natural) return Boolean
+   is (First <= Last
+       and then Is_Size
+         (Line, (if Line (First) = '-' then First + 1 else First), Last))
+   with Pre => Is_Slice (Line, First, Last);
+
+   function Coordinate_Value
+     (Line : String; First : Positive; Last : Natural) return Millionths
+   is (if Line (First) = '-' then -Size_Value (Line, First + 1, Last)
+       else Size_Value (Line, First, Last))
+   with Pre => Is_Slice (Line, First, Last)
+     and then Is_Coordinate (Line, First, Last);
+
+   --  A path: points of two coordinates each
+
+   function Field_End (Line : String; First : Positive) return Natural is
+     (Place_Of (Field_Separator, Line, First, Line'Last) - 1)
+   with Pre => Is_Slice (Line, First, Line'Last);
+
+   function Are_Points
+     (Line : String; First : Positive; Most : Natural) return Boolean
+   is (Most > 0
+       and then Is_Coordinate (Line, First, Field_End (Line, First))
+       and then
+         (if Field_End (Line, First) = Line'Last then Most mod 2 = 1
+          else Are_Points (Line, Field_End (Line, First) + 2, Most - 1)))
+   with
+     Pre => Is_Slice (Line, First, Line'Last),
+     Subprogram_Variant => (Decreases => Most);
+   --  Line (First .. Line'Last) is Most coordinates at most, and the last is
+   --  the second of a point
+
+   function Is_Path
+     (Line : String; First : Positive; Most : Point_Number) return Boolean
+   is (Are_Points (Line, First, 2 * Most))
+   with Pre => Is_Slice (Line, First, Line'Last);
+   --  Line (First .. Line'Last) is 1 to Most points
 
    function Has_Data (Line : String) return Boolean is
      (Line'Length >= 5 and then Line (Line'First + 4) = Separator)
@@ -78,7 +184,7 @@ package Monitor.Protocol with SPARK_Mode is
             when Text      => Has_Data (Line),
             when Path_Data =>
                Has_Data (Line)
-               and then Monitor.Paths.Is_Path
+               and then Is_Path
                  (Line, Line'First + Text_Offset, Most_Points (Name))))
    with Pre => Line'Last < Integer'Last;
    --  The label, and the data that the command takes. The existing monitor
@@ -98,6 +204,20 @@ package Monitor.Protocol with SPARK_Mode is
    --  least Malformed: an empty line, a label in lower case, data for a
    --  command that takes none, a missing or non-decimal number, a path with a
    --  point too many.
+
+   procedure Parse
+     (Line    : String;
+      First   : Positive;
+      Measure : Unit;
+      Most    : Point_Number;
+      P       : out Path;
+      Valid   : out Boolean)
+   with
+     Pre  => Is_Slice (Line, First, Line'Last),
+     Post => Valid = Is_Path (Line, First, Most)
+       and then P.Measure = Measure
+       and then (if Valid then P.Count in 1 .. Most else P.Count = 0);
+   --  The points in Line (First .. Line'Last)
 
    --  Lines from the monitor
 
@@ -148,16 +268,11 @@ package Monitor.Protocol with SPARK_Mode is
    End_Label      : constant Label_Text := "MEND";
    Log_Label      : constant Label_Text := "MSSG";
 
-   Field_Separator : constant Character := ';';
-   --  Between the fields of a message's data.
-
    Max_Short_Line : constant := 128;
-
-   subtype Short_Line is String (1 .. Max_Short_Line);
    --  Room for each message without an image, with its line feed.
 
    type Short_Text is record
-      Data   : Short_Line := (others => ' ');
+      Data   : String (1 .. Max_Short_Line) := (others => ' ');
       Length : Natural range 0 .. Max_Short_Line := 0;
    end record;
    --  A message without an image, as it is sent: the first Length characters
@@ -179,19 +294,6 @@ package Monitor.Protocol with SPARK_Mode is
    with
      Pre  => Text'Length <= Max_Short_Line - Line.Length,
      Post => Line.Length = Line.Length'Old + Text'Length;
-
-   procedure Append_Number
-     (Line  : in out Short_Text;
-      N     : Numbers.Number;
-      Width : Numbers.Digit_Count := 1)
-   with
-     Pre  => Line.Length <= Max_Short_Line - Numbers.Max_Digits,
-     Post => Line.Length in Line.Length'Old + Width
-                         .. Line.Length'Old + Numbers.Max_Digits
-       and then
-         (Line.Length = Line.Length'Old + Width
-          or else N > Numbers.Largest (Line.Length - Line.Length'Old - 1));
-   --  With zeros in front to Width digits.
 
    --  Replies
 

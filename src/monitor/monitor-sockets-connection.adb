@@ -6,12 +6,10 @@ with Interfaces.C;   use Interfaces.C;
 with Schedule;
 with Trace;
 
-package body Monitor.Sockets.Connection with
-  SPARK_Mode,
-  Refined_State => (Peer => (Current, Owing))
-is
+package body Monitor.Sockets.Connection with SPARK_Mode is
 
    use type Interfaces.Unsigned_16;
+   use type Monitor.Link.Milliseconds;
 
    Current : Socket := Nobody with Atomic, Async_Readers, Async_Writers;
 
@@ -69,9 +67,8 @@ is
    procedure Receive
      (Data : in out String; Length : out Natural; Open : out Boolean)
    is
-      From  : constant Socket := Current;
-      Got   : Outcome;
-      Error : Integer;
+      From : constant Socket := Current;
+      Got  : Outcome;
    begin
       --  acknowledge at once: a sender with Nagle's algorithm holds its next
       --  command back until this one, which may have no answer, is
@@ -79,8 +76,8 @@ is
       Set_Number (From, Level_Tcp, Quick_Option, 1);
       Trace.Put (Trace.Done, Schedule.Th_Receive_From_Mon);
       loop
-         Monitor.Sockets.Receive (From, 0, Data, Got, Error);
-         exit when Got >= 0 or else Error /= Interrupted;
+         Monitor.Sockets.Receive (From, 0, Data, Got);
+         exit when Got /= Interrupted;
       end loop;
       Trace.Put (Trace.Start, Schedule.Th_Receive_From_Mon);
       Open := Got > 0;
@@ -102,10 +99,12 @@ is
       --  overflows after 25 days of milliseconds
       Split (Now, Whole, Rest);
       Get_Info (Peer_Socket, Info, Filled);
+      Whole := Seconds_Count'Max (0, Seconds_Count'Min (Whole, 2 ** 50));
       Link := Monitor.Link.Sample_Of
         (Info, Filled,
-         Monitor.Link.Time_Of
-           (Monitor.Link.Seconds (Whole), Rest / Milliseconds (1)));
+         Monitor.Link.Milliseconds (Whole) * 1_000
+         + Monitor.Link.Milliseconds
+             (Integer'Max (0, Integer'Min (Rest / Milliseconds (1), 999))));
       Link.Patience := (if Owes then Monitor.Link.Silent_After else Patience);
    end Sample;
 
@@ -115,22 +114,16 @@ is
       Unsent  : in out Boolean;
       Success : out Boolean)
    is
-      To    : constant Socket := Current;
-      Done  : Natural := 0;
-      Put   : Outcome;
-      Error : Integer;
+      To   : constant Socket := Current;
+      Done : Natural := 0;
+      Put  : Outcome;
    begin
       while Done < Length loop
          pragma Loop_Invariant (Done < Length);
          Monitor.Sockets.Send
-           (To, Send_Flags,
-            Data (Done + 1 .. Length),
-            Put, Error);
-         if Put > 0 then
-            Done := Done + Put;
-         else
-            exit when Put < 0 and then Error /= Interrupted;
-         end if;
+           (To, Send_Flags, Data (Done + 1 .. Length), Put);
+         exit when Put < 0 and then Put /= Interrupted;
+         Done := Done + Integer'Max (0, Put);
       end loop;
       Success := Done = Length;
       Unsent := False;

@@ -4,12 +4,7 @@
 with Ada.Real_Time;
 with Monitor.Link;
 
-package Monitor.Sockets.Connection with
-  SPARK_Mode,
-  Abstract_State =>
-    (Peer with Synchronous, External => (Async_Readers, Async_Writers)),
-  Initializes => Peer
-is
+package Monitor.Sockets.Connection with SPARK_Mode is
 
    procedure Take_Over (Newcomer : Socket);
    --  Newcomer becomes the monitor in command. There must be none

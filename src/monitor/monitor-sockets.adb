@@ -93,9 +93,9 @@ is
         (Server, Raw'Address, Size'Address, 8#2000000#);  --  SOCK_CLOEXEC
       From := Raw (9 .. 24);
       if Found = Nobody then
-         --  EAGAIN: the client has already left, no failure
+         --  the client has already left, no failure
          Texts.Set
-           (Name, (if GNAT.OS_Lib.Errno = Try_Again then ""
+           (Name, (if GNAT.OS_Lib.Errno = -Try_Again then ""
                    else GNAT.OS_Lib.Errno_Message));
       elsif Raw (1) = 2 then  --  AF_INET
          From := Networks.Mapped & Raw (5 .. 8);
@@ -106,39 +106,29 @@ is
    end Take_In;
 
    procedure Receive
-     (From  : Socket;
-      Flags : int;
-      Data  : in out String;
-      Got   : out Outcome;
-      Error : out Integer)
+     (From : Socket; Flags : int; Data : in out String; Got : out Outcome)
    is
       function C_Receive
         (From : Socket; Data : System.Address; Length : size_t; Flags : int)
          return Ssize
       with Import, Convention => C, External_Name => "recv";
    begin
-      Got := Outcome
+      Got := Outcome_Of
         (Ssize'Min (C_Receive (From, Data'Address, Data'Length, Flags),
                     Data'Length));
-      Error := GNAT.OS_Lib.Errno;
    end Receive;
 
    procedure Send
-     (To    : Socket;
-      Flags : int;
-      Data  : String;
-      Put   : out Outcome;
-      Error : out Integer)
+     (To : Socket; Flags : int; Data : String; Put : out Outcome)
    is
       function C_Send
         (To : Socket; Data : System.Address; Length : size_t; Flags : int)
          return Ssize
       with Import, Convention => C, External_Name => "send";
    begin
-      Put := Outcome
+      Put := Outcome_Of
         (Ssize'Min (C_Send (To, Data'Address, Data'Length, Flags),
                     Data'Length));
-      Error := GNAT.OS_Lib.Errno;
    end Send;
 
    procedure Set_Number (S : Socket; Level, Name, Value : int) is

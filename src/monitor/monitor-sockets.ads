@@ -1,8 +1,7 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
 --  TCP sockets: the listening socket, its next connection, and the calls of
 --  the C library for a connection. Each makes one call, once, and returns what
---  it returned. The children use them: for the newcomers, and for the monitor
---  in command.
+--  it returned.
 
 with Interfaces;
 with Interfaces.C; use Interfaces.C;
@@ -18,9 +17,10 @@ package Monitor.Sockets with
   Initializes => Kernel
 is
 
-   type Socket is private;
+   type Socket is new int;
+   --  The file descriptor
 
-   Nobody : constant Socket;
+   Nobody : constant Socket := -1;
 
    --  The server
 
@@ -49,29 +49,20 @@ is
 
    --  A connection
 
-   subtype Outcome is Integer range -1 .. Integer'Last;
-   --  Number of characters; -1 if the call failed
+   subtype Outcome is Integer range -Integer'Last .. Integer'Last;
+   --  Number of characters, or, if the call failed, its error, negative
 
-   --  Values of Error (errno)
-   Interrupted : constant := 4;   --  EINTR
-   Try_Again   : constant := 11;  --  EAGAIN
+   Interrupted : constant := -4;   --  EINTR
+   Try_Again   : constant := -11;  --  EAGAIN
 
    procedure Receive
-     (From  : Socket;
-      Flags : int;
-      Data  : in out String;
-      Got   : out Outcome;
-      Error : out Integer)
+     (From : Socket; Flags : int; Data : in out String; Got : out Outcome)
    with
      Global => (In_Out => Kernel),
      Post   => Got <= Data'Length;
 
    procedure Send
-     (To    : Socket;
-      Flags : int;
-      Data  : String;
-      Put   : out Outcome;
-      Error : out Integer)
+     (To : Socket; Flags : int; Data : String; Put : out Outcome)
    with
      Global => (In_Out => Kernel),
      Post   => Put <= Data'Length;
@@ -118,12 +109,5 @@ is
 
    procedure Close (S : Socket)
    with Global => (In_Out => Kernel);
-
-private
-
-   type Socket is new int;
-   --  The file descriptor
-
-   Nobody : constant Socket := -1;
 
 end Monitor.Sockets;

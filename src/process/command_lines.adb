@@ -1,8 +1,10 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
 
+with Ada.Strings.Fixed; use Ada.Strings.Fixed;
 with Decimals;
 with Missions;
 with Networks;
+with Process;
 
 package body Command_Lines with SPARK_Mode is
 
@@ -32,19 +34,13 @@ package body Command_Lines with SPARK_Mode is
          when First_Marker => "--print-markers",
          when Marker_Size  => "--marker-size");
 
-   procedure Fail (R : in out Reading; Reason : String)
-   with
-     Post => R.Request = Wrong and then R.Chosen.Bind = R.Chosen.Bind'Old
-   is
+   procedure Fail (R : in out Reading; Reason : String) is
    begin
       R.Request := Wrong;
       Texts.Set (R.Reason, Reason);
    end Fail;
 
-   procedure Fail_Without_Value (R : in out Reading)
-   with
-     Post => R.Request = Wrong and then R.Chosen.Bind = R.Chosen.Bind'Old
-   is
+   procedure Fail_Without_Value (R : in out Reading) is
       --  The option's value is missing
    begin
       Fail (R, "a value is missing after ");
@@ -134,23 +130,10 @@ package body Command_Lines with SPARK_Mode is
 
       procedure Read_Size
         (Width, Height : in out Natural; First, Last : Natural)
-      with
-        Pre  => Value'Length <= Texts.Max_Length
-          and then Value'First > 0
-          and then Value'Last < Integer'Last,
-        Post => (Width in First .. Last or else Width = Width'Old)
-          and then (Height in First .. Last or else Height = Height'Old)
       is
          --  WIDTHxHEIGHT, each in First .. Last
-         Cross : Natural := 0;
+         Cross : constant Natural := Index (Value, "x");
       begin
-         for I in Value'Range loop
-            if Value (I) = 'x' then
-               Cross := I;
-               exit;
-            end if;
-            pragma Loop_Invariant (Cross = 0);
-         end loop;
          if Cross = 0 then
             Refuse (Value, " is not WIDTHxHEIGHT");
          else
@@ -192,93 +175,85 @@ package body Command_Lines with SPARK_Mode is
       end Read;
 
       use Options;
+      Chosen : Values renames R.Chosen;
 
    begin
       case R.Awaited is
          when None =>
             null;
          when Port =>
-            Read (R.Chosen.Port, Port_Number'First, Port_Number'Last);
+            Read (Chosen.Port, Port_Number'First, Port_Number'Last);
          when Bind =>
-            Read (R.Chosen.Bind);
+            Read (Chosen.Bind);
          when Allow =>
-            Read (R.Chosen.Allowed);
+            Read (Chosen.Allowed);
          when Token =>
-            Read (R.Chosen.Token_File);
+            Read (Chosen.Token_File);
          when Silence =>
-            Read
-              (R.Chosen.Silence, Silence_Seconds'First, Silence_Seconds'Last);
+            Read (Chosen.Silence, Silence_Seconds'First, Silence_Seconds'Last);
          when Serial =>
-            Read (R.Chosen.Serial);
+            Read (Chosen.Serial);
          when Answer_Timeout =>
-            Read
-              (R.Chosen.Answer_Timeout, Answer_Milliseconds'First,
-               Answer_Milliseconds'Last);
+            Read (Chosen.Answer_Timeout, Answer_Milliseconds'First,
+                  Answer_Milliseconds'Last);
          when Camera =>
-            Read (R.Chosen.Camera);
+            Read (Chosen.Camera);
          when Frame_Size =>
             Read_Size
-              (R.Chosen.Width, R.Chosen.Height, Pixel_Count'First,
+              (Chosen.Width, Chosen.Height, Pixel_Count'First,
                Pixel_Count'Last);
          when Frame_Rate =>
-            Read (R.Chosen.Frame_Rate, Rate'First, Rate'Last);
+            Read (Chosen.Frame_Rate, Rate'First, Rate'Last);
          when Quality =>
-            Read (R.Chosen.Quality, Percentage'First, Percentage'Last);
+            Read (Chosen.Quality, Percentage'First, Percentage'Last);
          when Marker =>
             if Value = "aruco" then
-               R.Chosen.Marker := Aruco;
+               Chosen.Marker := Aruco;
             elsif Value = "triangle" then
-               R.Chosen.Marker := Triangle;
+               Chosen.Marker := Triangle;
             else
                Refuse (Value, " is neither aruco nor triangle");
             end if;
          when Drawing =>
             if Value = "all" then
-               R.Chosen.Drawing := All_Of_It;
+               Chosen.Drawing := All_Of_It;
             elsif Value = "arena" then
-               R.Chosen.Drawing := Arena;
+               Chosen.Drawing := Arena;
             elsif Value = "none" then
-               R.Chosen.Drawing := Nothing;
+               Chosen.Drawing := Nothing;
             else
                Refuse (Value, " is not all, arena or none");
             end if;
          when Arena_Size =>
             Read_Size
-              (R.Chosen.Arena_Size.Width, R.Chosen.Arena_Size.Height,
+              (Chosen.Arena_Size.Width, Chosen.Arena_Size.Height,
                Missions.Arena_Side'First, Missions.Arena_Side'Last);
          when Message_Gap =>
-            Read
-              (R.Chosen.Message_Gap, Milliseconds'First, Milliseconds'Last);
+            Read (Chosen.Message_Gap, Milliseconds'First, Milliseconds'Last);
          when Log_Level =>
-            if Value = "error" then
-               R.Chosen.Log_Level := Error;
-            elsif Value = "warning" then
-               R.Chosen.Log_Level := Warning;
-            elsif Value = "info" then
-               R.Chosen.Log_Level := Info;
-            elsif Value = "debug" then
-               R.Chosen.Log_Level := Debug;
-            else
-               Refuse (Value, " is no level of the log");
-            end if;
+            Refuse (Value, " is no level of the log");
+            for Item in Level loop
+               if Value = Name_Of (Item) then
+                  Chosen.Log_Level := Item;
+                  Why.Length := 0;
+               end if;
+            end loop;
          when Cpu =>
             if Value = "auto" then
-               R.Chosen.Cpu := Last_Processor;
+               Chosen.Cpu := Last_Processor;
             else
-               R.Chosen.Cpu := 0;
-               Read (R.Chosen.Cpu, Processor'First, Processor'Last);
+               Chosen.Cpu := 0;
+               Read (Chosen.Cpu, Processor'First, Processor'Last);
             end if;
          when Trace =>
-            Read (R.Chosen.Trace_File);
+            Read (Chosen.Trace_File);
          when First_Marker =>
             Read
-              (R.Chosen.First_Marker, Marker_Number'First,
-               Marker_Number'Last);
+              (Chosen.First_Marker, Marker_Number'First, Marker_Number'Last);
             R.Request := Print_Markers;
          when Marker_Size =>
-            Read
-              (R.Chosen.Marker_Size, Marker_Millimetres'First,
-               Marker_Millimetres'Last);
+            Read (Chosen.Marker_Size, Marker_Millimetres'First,
+                  Marker_Millimetres'Last);
       end case;
       R.Awaited := None;
       if Why.Length > 0 then
@@ -290,10 +265,17 @@ package body Command_Lines with SPARK_Mode is
    procedure Take (R : in out Reading; Argument : String) is
       Is_Name : constant Boolean :=
         Argument'Length > 2 and then Argument (1 .. 2) = "--";
-      Equals  : Positive := Argument'Length + 1;
+      Equals  : constant Natural := Index (Argument, "=");
+      Last    : constant Natural :=
+        (if Equals > 0 then Equals - 1 else Argument'Last);
+      --  of the option's name
    begin
       if R.Request in Settled_Kind then
          null;
+      elsif Argument'Length > Texts.Max_Length then
+         Fail (R, "an argument has more than ");
+         Texts.Append (R.Reason, Texts.Max_Length);
+         Texts.Append (R.Reason, " characters");
       elsif R.Awaited /= None and then Is_Name then
          Fail_Without_Value (R);
       elsif R.Awaited /= None then
@@ -301,34 +283,16 @@ package body Command_Lines with SPARK_Mode is
       elsif not Is_Name and then Argument /= "-h" then
          Fail (R, "unexpected argument '" & Argument & "'");
       else
-         for I in Argument'Range loop
-            if Argument (I) = '=' then
-               Equals := I;
-               exit;
-            end if;
-            pragma Loop_Invariant (Equals = Argument'Last + 1);
-         end loop;
-         Take_Name (R, Argument (1 .. Equals - 1));
-         if R.Request in Settled_Kind or else Equals > Argument'Last then
+         Take_Name (R, Argument (1 .. Last));
+         if R.Request in Settled_Kind or else Equals = 0 then
             null;
          elsif R.Awaited = None then
-            Fail
-              (R, "option '" & Argument (1 .. Equals - 1)
-               & "' takes no value");
+            Fail (R, "option '" & Argument (1 .. Last) & "' takes no value");
          else
             Take_Value (R, Argument (Equals + 1 .. Argument'Last));
          end if;
       end if;
    end Take;
-
-   procedure Refuse_Long (R : in out Reading) is
-   begin
-      if R.Request not in Settled_Kind then
-         Fail (R, "an argument has more than ");
-         Texts.Append (R.Reason, Texts.Max_Length);
-         Texts.Append (R.Reason, " characters");
-      end if;
-   end Refuse_Long;
 
    procedure Finish (R : in out Reading) is
    begin
@@ -348,4 +312,9 @@ package body Command_Lines with SPARK_Mode is
       end if;
    end Finish;
 
+begin
+   for I in 1 .. Process.Argument_Count loop
+      Take (Given, Process.Argument (I));
+   end loop;
+   Finish (Given);
 end Command_Lines;

@@ -1,6 +1,6 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
 --  The command line: its arguments, read one by one, give a request and the
---  options of this run, or a reason for rejection.
+--  options of this run, or a reason for rejection. Also that of this run.
 
 with Ada.Characters.Latin_1; use Ada.Characters.Latin_1;
 with Options;
@@ -8,6 +8,8 @@ with Project_Version;
 with Texts;
 
 package Command_Lines with SPARK_Mode is
+
+   pragma Elaborate_Body;
 
    use type Texts.Text;
 
@@ -33,17 +35,11 @@ package Command_Lines with SPARK_Mode is
 
    procedure Take (R : in out Reading; Argument : String)
    with
-     Pre  => Argument'First = 1
-       and then Argument'Length <= Texts.Max_Length,
+     Pre  => Argument'First = 1,
      Post =>
        (if R.Request'Old in Settled_Kind then R.Request = R.Request'Old);
    --  The next argument: "--name", "--name=value", or the value of the name
    --  before it. A separate value does not begin with "--"
-
-   procedure Refuse_Long (R : in out Reading)
-   with
-     Post => R.Request in Settled_Kind;
-   --  The next argument has more than Texts.Max_Length characters
 
    procedure Finish (R : in out Reading)
    with
@@ -54,6 +50,10 @@ package Command_Lines with SPARK_Mode is
                     Texts.Image (R.Chosen.Bind) = "127.0.0.1");
    --  There are no more arguments. The server listens for this machine alone
    --  unless an address, networks or a token have been given
+
+   Given : Reading with Constant_After_Elaboration;
+   --  The command line of this run. Read at elaboration, before any task
+   --  starts, so tasks read it without a lock
 
    Usage : constant String :=
      "Usage: destijl [OPTION ...]" & LF

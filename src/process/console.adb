@@ -1,40 +1,48 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
 
-with Process.Files;
-
 package body Console with SPARK_Mode is
 
+   procedure Write
+     (To    : Process.Descriptor;
+      Text  : String;
+      Error : in out Process.Error_Number)
+   is
+      Done   : Natural := 0;
+      Result : Process.Outcome;
+   begin
+      while Error = 0 and then Done < Text'Length loop
+         pragma Loop_Variant (Increases => Done);
+         Process.Write
+           (To, Text (Text'First + Done .. Text'Last), Result);
+         if Result > 0 then
+            Done := Done + Result;
+         else
+            Error := (if Result < 0 then -Result else Process.Io_Failure);
+         end if;
+      end loop;
+   end Write;
+
    procedure Put_On
-     (To : Process.Files.Descriptor; Line : String; Written : out Boolean)
+     (To : Process.Descriptor; Line : String; Written : out Boolean)
    with Pre => Line'Length < Max_Line
    is
-      --  Writes all of it, or as much as is accepted
-      Text : String (1 .. Line'Length + 1) := (others => ASCII.LF);
-      Next : Positive := 1;
-      Done : Process.Files.Outcome;
+      Text  : String (1 .. Line'Length + 1) := (others => ASCII.LF);
+      Error : Process.Error_Number := 0;
    begin
       Text (1 .. Line'Length) := Line;
-      while Next <= Text'Last loop
-         Process.Files.Write (To, Text (Next .. Text'Last), Done);
-         if Done > 0 then
-            Next := Next + Done;
-         else
-            exit when Done /= -Process.Files.Interrupted;
-         end if;
-         pragma Loop_Invariant (Next <= Text'Last + 1);
-      end loop;
-      Written := Next > Text'Last;
+      Write (To, Text, Error);
+      Written := Error = 0;
    end Put_On;
 
    procedure Put (Line : String; Written : out Boolean) is
    begin
-      Put_On (Process.Files.Standard_Output, Line, Written);
+      Put_On (Process.Standard_Output, Line, Written);
    end Put;
 
    procedure Put_Log (Line : String) is
       Ignored : Boolean;
    begin
-      Put_On (Process.Files.Standard_Error, Line, Ignored);
+      Put_On (Process.Standard_Error, Line, Ignored);
    end Put_Log;
 
    procedure Cannot_Start (Why : String) is

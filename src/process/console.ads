@@ -9,6 +9,16 @@ package Console with SPARK_Mode is
    Max_Line : constant := 2 ** 24;
    --  Characters, with the line feed
 
+   procedure Write
+     (To    : Process.Descriptor;
+      Text  : String;
+      Error : in out Process.Error_Number)
+   with
+     Global   => (In_Out => Process.System_State),
+     Annotate => (GNATprove, Terminating);
+   --  Writes all of Text, or as much as is accepted before an Error. No effect
+   --  after one
+
    procedure Put_Log (Line : String)
    with
      Global => (In_Out => Process.System_State),

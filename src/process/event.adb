@@ -11,15 +11,20 @@ package body Event with SPARK_Mode is
    --  Before the last Wait. Shared by nobody on purpose: a second task that
    --  waits is a data race
 
-   procedure Take is
-      --  Waits until the event has been set
+   procedure Take (Limit : Time := Time_Last) is
+      --  Waits until the event has been set, or Limit
       Now : Time;
    begin
       loop
-         Event_Counters.Take (Counter, Times_Set);
-         exit when Times_Set > 0;
-         --  a signal. GNATprove knows by the delay that this may block
          Now := Clock;
+         Event_Counters.Take
+           (Counter, Times_Set,
+            (if Limit = Time_Last then Time_Span_Last
+             elsif Limit > Now then Limit - Now else Time_Span_Zero));
+         exit when Times_Set > 0;
+         Now := Clock;
+         exit when Now >= Limit;
+         --  a signal. GNATprove knows by the delay that this may block
          delay until Now + Milliseconds (1);
       end loop;
    end Take;
@@ -38,20 +43,9 @@ package body Event with SPARK_Mode is
    end Wait;
 
    procedure Wait_Until (At_Time : Time; Was_Set : out Boolean) is
-      Now : Time;
    begin
       Trace.Put (Trace.Done, Who);
-      loop
-         Now := Clock;
-         Event_Counters.Take_Within
-           (Counter,
-            (if At_Time > Now then At_Time - Now else Time_Span_Zero),
-            Times_Set);
-         Now := Clock;
-         exit when Times_Set > 0 or else Now >= At_Time;
-         --  a signal, as above
-         delay until Now + Milliseconds (1);
-      end loop;
+      Take (At_Time);
       Was_Set := Times_Set > 0;
       if not Was_Set then
          Trace.Put_Due (Who, At_Time);

@@ -1,16 +1,12 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
 
-with Ada.Real_Time; use Ada.Real_Time;
 with Console;
 with Interfaces;   use Interfaces;
 with Interfaces.C; use Interfaces.C;
 with Linux;        use Linux;
 with System;
 
-package body Event_Counters with
-  SPARK_Mode    => Off,
-  Refined_State => (Kernel => null)
-is
+package body Event_Counters with SPARK_Mode => Off is
    --  Off: addresses are passed to C
 
    procedure Add (To : Counter) is
@@ -30,35 +26,28 @@ is
       return Made;
    end New_Counter;
 
-   procedure Take (From : Counter; Number : out Natural) is
-      Value : Unsigned_64 := 0;
-   begin
-      Number :=
-        (if Linux.Read (int (From), Value'Address, 8) = 8
-         then Natural (Unsigned_64'Min (Value, Unsigned_64 (Natural'Last)))
-         else 0);
-   end Take;
-
-   procedure Take_Within
-     (From : Counter; Limit : Time_Span; Number : out Natural)
+   procedure Take
+     (From   : Counter;
+      Number : out Natural;
+      Limit  : Time_Span := Time_Span_Last)
    is
-      Longest : constant Time_Span := Seconds (3_600);
       Left    : constant Time_Span :=
         (if Limit <= Time_Span_Zero then Time_Span_Zero
-         elsif Limit < Longest then Limit else Longest);
+         elsif Limit < Seconds (3_600) then Limit else Seconds (3_600));
       Whole   : constant Integer := Left / Seconds (1);
       Rest    : constant Time_Span := Left - Seconds (Whole);
       Wait    : constant Time_Spec :=
         (long (Whole), long (Rest / Nanoseconds (1)));
       Entries : Poll_Entry := (int (From), Poll_In, 0);
+      Value   : Unsigned_64 := 0;
    begin
-      if Precise_Poll
-        (Entries'Address, 1, Wait'Address, System.Null_Address) = 1
-      then
-         Take (From, Number);
-      else
-         Number := 0;
-      end if;
-   end Take_Within;
+      Number :=
+        (if (Limit = Time_Span_Last
+             or else Precise_Poll
+               (Entries'Address, 1, Wait'Address, System.Null_Address) = 1)
+           and then Linux.Read (int (From), Value'Address, 8) = 8
+         then Natural (Unsigned_64'Min (Value, Unsigned_64 (Natural'Last)))
+         else 0);
+   end Take;
 
 end Event_Counters;

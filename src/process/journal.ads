@@ -2,10 +2,13 @@
 --  The log on its way to the console: a bounded buffer, so that no task waits
 --  for the console.
 
+with Ada.Real_Time; use Ada.Real_Time;
+with Command_Lines;
 with Options;
-with Texts;
 
 package Journal with SPARK_Mode is
+
+   use type Options.Level;
 
    Capacity : constant := 256;
    --  Lines that wait for the console. Further lines are dropped; their number
@@ -15,30 +18,19 @@ package Journal with SPARK_Mode is
    --  Characters of a line: at most 256 bytes are copied under the lock. A
    --  longer one continues in the next line
 
-   type Instant is record
-      Seconds     : Natural := 0;
-      Thousandths : Natural range 0 .. 999 := 0;
-   end record;
-   --  The time since the supervisor started
-
    type Line is record
-      Level  : Options.Level := Options.Info;
-      Time   : Instant;
-      Length : Natural range 0 .. Max_Text := 0;
-      Text   : String (1 .. Max_Text) := (others => ' ');
+      Level   : Options.Level := Options.Info;
+      At_Time : Time := Time_First;
+      --  since the supervisor started
+      Length  : Natural range 0 .. Max_Text := 0;
+      Text    : String (1 .. Max_Text) := (others => ' ');
    end record;
 
-   procedure Set_Level (Least : Options.Level)
-   with Annotate => (GNATprove, Terminating);
-   --  Lines less serious than Least are not logged
-
-   procedure Get_Kept (Level : Options.Level; Kept : out Boolean)
-   with Annotate => (GNATprove, Terminating);
+   function Is_Kept (Level : Options.Level) return Boolean is
+     (Level <= Command_Lines.Given.Chosen.Log_Level);
    --  Whether this level is logged: check before making a costly line
 
    procedure Put (Level : Options.Level; Text : String)
-   with Annotate => (GNATprove, Terminating);
-   procedure Put (Level : Options.Level; Text : Texts.Text)
    with Annotate => (GNATprove, Terminating);
    --  One line, or as many as the text needs. Characters other than printable
    --  ASCII are shown as '?'

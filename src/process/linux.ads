@@ -94,7 +94,4 @@ package Linux with SPARK_Mode => Off is
       else Integer (Returned));
    --  Of a call: what it returned, or, if it has failed, its error, negative
 
-   EINTR  : constant := 4;
-   EAGAIN : constant := 11;
-
 end Linux;

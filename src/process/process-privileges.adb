@@ -59,9 +59,7 @@ package body Process.Privileges with SPARK_Mode => Off is
 
    function Effective_User return unsigned is
       Policy  : constant int := Get_Policy (0);
-      Lowest  : constant int := 0;
       Before  : int;
-      Ignored : int;
       Limit   : Limit_Pair := (others => 0);  --  soft, hard
 
       function Is_Granted (Priority : int) return Boolean is
@@ -83,8 +81,7 @@ package body Process.Privileges with SPARK_Mode => Off is
          Limit (1) := 0;
          Set_Limit (Priorities, Limit'Address);
          --  also one that it was started with
-         Ignored := Linux.Set_Scheduler
-           (0, Linux.Time_Shared, Lowest'Address);
+         Give_Up_Priority;
       end if;
       return (if Found = Fifo_With_Ceilings then 0 else 1);
    end Effective_User;

@@ -4,10 +4,7 @@ with Interfaces.C; use Interfaces.C;
 with Linux;
 with System;
 
-package body Process.Threads.Calls with
-  SPARK_Mode    => Off,
-  Refined_State => (Table => (Numbers, Sets, Kept))
-is
+package body Process.Threads.Calls with SPARK_Mode => Off is
    --  Off: addresses are passed to C. Each number is written by its own task
    --  alone, the sets are written before any task reads them
 
@@ -51,12 +48,8 @@ is
       Get_Affinity (Linux.Own_Process, Size, Allowed'Address);
    end Get_Allowed;
 
-   procedure Set_Name (Name : String) is
-   begin
-      Process_Control (15, Name'Address);  --  PR_SET_NAME
-   end Set_Name;
-
-   procedure Touch_Stack is
+   procedure Touch_Stack with No_Inline is
+      --  To the depth that the tasks without images reach
       Page  : constant := 4_096;
       Depth : constant := 16 * Page;
       Stack : array (1 .. Depth) of char with Volatile;
@@ -72,12 +65,17 @@ is
    end Keep_Thread;
 
    procedure Enter (Who : Schedule.Task_Name) is
-      Own : Stack := (Start => Signal_Stacks (Who)'Address, others => <>);
+      Name : constant String := Schedule.Name_Of (Who) & ASCII.NUL;
+      Own  : Stack := (Start => Signal_Stacks (Who)'Address, others => <>);
    begin
+      Process_Control (15, Name'Address);  --  PR_SET_NAME
+      if Who in Schedule.Real_Time_Task then
+         Touch_Stack;
+      end if;
       Set_Signal_Stack (Own'Address, System.Null_Address);
       Numbers (Who) := Natural (Own_Thread);
       if Kept then
-         Keep_Thread (Numbers (Who), Schedule.Table (Who).Real_Time);
+         Keep_Thread (Numbers (Who), Who in Schedule.Real_Time_Task);
       end if;
    end Enter;
 
@@ -89,7 +87,7 @@ is
       Keep_Thread (Natural (Linux.Own_Process), False);
       for Who in Schedule.Task_Name loop
          if Numbers (Who) > 0 then
-            Keep_Thread (Numbers (Who), Schedule.Table (Who).Real_Time);
+            Keep_Thread (Numbers (Who), Who in Schedule.Real_Time_Task);
          end if;
       end loop;
    end Keep;

@@ -2,19 +2,9 @@
 
 with Process.Threads.Calls;
 
-package body Process.Threads with
-  SPARK_Mode,
-  Refined_State => (Named => Calls.Table)
-is
+package body Process.Threads with SPARK_Mode is
 
-   procedure Name_Task (Who : Schedule.Task_Name) is
-   begin
-      Calls.Set_Name (Schedule.Name_Of (Who) & ASCII.NUL);
-      if Schedule.Table (Who).Real_Time then
-         Calls.Touch_Stack;
-      end if;
-      Calls.Enter (Who);
-   end Name_Task;
+   procedure Name_Task (Who : Schedule.Task_Name) renames Calls.Enter;
 
    procedure Keep_On
      (Cpu : in out Options.Processor_Choice; Alone, Done : out Boolean)

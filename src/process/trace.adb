@@ -1,9 +1,10 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
 
-with Ada.Real_Time; use Ada.Real_Time;
-with Interfaces;    use Interfaces;
-with Process.Files;
-with Trace.Ring;    use Trace.Ring;
+with Ada.Real_Time;     use Ada.Real_Time;
+with Ada.Strings.Fixed; use Ada.Strings.Fixed;
+with Console;
+with Interfaces;        use Interfaces;
+with Trace.Ring;        use Trace.Ring;
 
 package body Trace with
   SPARK_Mode,
@@ -14,7 +15,7 @@ is
 
    On    : Boolean := False
      with Atomic, Async_Readers, Async_Writers;
-   File  : Process.Files.Descriptor := 0
+   File  : Process.Descriptor := 0
      with Atomic, Async_Readers, Async_Writers;
    First : Time := Time_First
      with Atomic, Async_Readers, Async_Writers;
@@ -26,34 +27,34 @@ is
    procedure Try
      (Path : Texts.Text; Success : out Boolean; Reason : out Texts.Text)
    is
-      Opened : Process.Files.Outcome;
+      Opened : Process.Outcome;
    begin
-      Process.Files.Open (Path, Process.Files.None, Opened);
-      if Opened = -Process.Files.Not_Found then
-         Process.Files.Open (Path, Process.Files.New_Only, Opened);
+      Process.Open (Path, Process.Never, Opened);
+      if Opened = -Process.Not_Found then
+         Process.Open (Path, Process.New_Only, Opened);
          if Opened >= 0 then
-            Process.Files.Remove (Path);
+            Process.Remove (Path);
          end if;
       end if;
       Success := Opened >= 0;
       Process.Describe (-Integer'Min (0, Opened), Reason);
       if Success then
-         Process.Files.Close (Opened);
+         Process.Close (Opened);
       end if;
    end Try;
 
    procedure Open
      (Path : Texts.Text; Success : out Boolean; Reason : out Texts.Text)
    is
-      Opened : Process.Files.Outcome;
+      Opened : Process.Outcome;
       Now    : Time;
    begin
-      Process.Files.Open (Path, Process.Files.New_Also, Opened);
+      Process.Open (Path, Process.New_Also, Opened);
       Success := Opened >= 0;
       Process.Describe (-Integer'Min (0, Opened), Reason);
       if Success then
          File := Opened;
-         Process.Files.Empty (Opened);
+         Process.Empty (Opened);
          Ring.Reset;
          Ring.Get_Time (Now);
          First := Now;
@@ -61,50 +62,29 @@ is
       end if;
    end Open;
 
-   procedure Write
-     (Into  : Process.Files.Descriptor;
-      Text  : Texts.Text;
-      Error : in out Process.Files.Error_Number)
-   with Global => (In_Out => Process.System_State)
+   procedure Append_Time
+     (Line  : in out Texts.Text;
+      Value : Time;
+      Step  : Positive := 1;
+      Width : Positive := 9)
    is
-      --  No effect after an Error
-      Done   : Natural := 0;
-      Result : Process.Files.Outcome;
+      Whole : Seconds_Count;
+      Rest  : Time_Span;
    begin
-      while Error = 0 and then Done < Text.Length loop
-         pragma Loop_Invariant (Done < Text.Length);
-         pragma Loop_Variant (Increases => Done);
-         Process.Files.Write
-           (Into, Text.Data (Done + 1 .. Text.Length), Result);
-         if Result > 0 then
-            Done := Done + Result;
-         else
-            Error := (if Result < 0 then -Result
-                      else Process.Files.Io_Failure);
-         end if;
-      end loop;
-   end Write;
-
-   procedure Append_Time (Line : in out Texts.Text; Value : Time)
-   with Global => null
-   is
-      --  Value, as seconds of the clock with nine decimals
-      Whole    : Seconds_Count;
-      Rest     : Time_Span;
-      Fraction : Texts.Text;
-   begin
+      --  no division of the whole time: its result, an Integer, overflows
+      --  after 24 days
       Split (Value, Whole, Rest);
       Texts.Append
         (Line,
          Natural
            (Seconds_Count'Max
               (0, Seconds_Count'Min (Whole, Seconds_Count (Natural'Last)))));
+      Texts.Append (Line, ".");
       Texts.Append
-        (Fraction,
-         1_000_000_000
-         + Integer'Max (0, Integer'Min (Rest / Nanoseconds (1), 999_999_999)));
-      Fraction.Data (1) := '.';  --  for the 1, which has kept the zeros
-      Texts.Append (Line, Texts.Image (Fraction));
+        (Line,
+         Integer'Max (0, Integer'Min (Rest / Nanoseconds (1), 999_999_999))
+         / Step,
+         Width);
    end Append_Time;
 
    procedure Append_Event
@@ -132,11 +112,7 @@ is
              when Sent     => "out",
              when Ordered  => "robot"));
       if Item.Label /= No_Label then
-         Texts.Append (Text, " ");
-         for C of Item.Label loop
-            exit when C = ' ';
-            Texts.Append (Text, (1 => C));
-         end loop;
+         Texts.Append (Text, " " & Trim (Item.Label, Ada.Strings.Right));
       end if;
       if Item.Number > 0 then
          Texts.Append (Text, " #");
@@ -149,14 +125,13 @@ is
       Texts.Append (Text, (1 => ASCII.LF));
    end Append_Event;
 
-   procedure Write_File
-     (Into    : Process.Files.Descriptor;
-      Limit   : Time;
-      In_Time : out Boolean;
-      Error   : out Process.Files.Error_Number)
-   is
-      --  Until Limit
+   procedure Write_File (Reason : in out Texts.Text) is
+      --  Reason is unchanged if all is written
+      Into     : constant Process.Descriptor := File;
       Begun    : constant Time := First;
+      Started  : constant Time := Clock;
+      In_Time  : Boolean := True;
+      Error    : Process.Error_Number := 0;
       Recorded : Event_Number;
       Number   : Event_Number;
       Item     : Event;
@@ -164,9 +139,7 @@ is
       Text     : Texts.Text;
       Now      : Time;
    begin
-      In_Time := True;
-      Error := 0;
-      Process.Files.Empty (Into);
+      Process.Empty (Into);
       Texts.Set (Text, "# destijl trace, begun at ");
       Append_Time (Text, Begun);
       Texts.Append (Text, " of CLOCK_MONOTONIC" & ASCII.LF);
@@ -174,7 +147,7 @@ is
          Texts.Append (Text, "# task " & Schedule.Name_Of (Who) & " ");
          Texts.Append (Text, Schedule.Table (Who).Priority);
          Texts.Append (Text, (1 => ASCII.LF));
-         Write (Into, Text, Error);
+         Console.Write (Into, Texts.Image (Text), Error);
          Text.Length := 0;
       end loop;
       Ring.Get_Count (Recorded);
@@ -192,34 +165,29 @@ is
          end if;
          Number := Number + 1;
          if Text.Length > Texts.Max_Length - Longest then
-            Write (Into, Text, Error);
+            Console.Write (Into, Texts.Image (Text), Error);
             Text.Length := 0;
             Now := Clock;
-            In_Time := Now < Limit;
+            In_Time := Now < Started + Schedule.Trace_Limit;
          end if;
       end loop;
-      Write (Into, Text, Error);
+      Console.Write (Into, Texts.Image (Text), Error);
+      if Error > 0 then
+         Process.Describe (Error, Reason);
+      elsif not In_Time then
+         Texts.Set (Reason, "it takes too long");
+      end if;
    end Write_File;
 
-   procedure Finish (Whole : out Boolean; Reason : out Texts.Text) is
-      Now       : constant Time := Clock;
+   procedure Finish (Reason : out Texts.Text) is
       Recording : constant Boolean := On;
-      Into      : constant Process.Files.Descriptor := File;
-      Error     : Process.Files.Error_Number;
    begin
-      Whole := True;
       Texts.Set (Reason, "");
       if Recording then
          On := False;
          --  not urgent any more, and it takes long
          Process.Give_Up_Priority;
-         Write_File (Into, Now + Schedule.Trace_Limit, Whole, Error);
-         if Error > 0 then
-            Whole := False;
-            Process.Describe (Error, Reason);
-         elsif not Whole then
-            Texts.Set (Reason, "it takes too long");
-         end if;
+         Write_File (Reason);
       end if;
    end Finish;
 

@@ -16,7 +16,7 @@ package Trace with
 is
    pragma Annotate (GNATprove, Terminating, Trace);
    --  Finish waits for the disk, nothing else waits. Proved, if each call of
-   --  the system (Process.Files) ends
+   --  the system ends
 
    Capacity : constant := 2 ** 17;
    --  Events kept, in 4 MiB of memory: about two minutes of a session with
@@ -34,14 +34,23 @@ is
    --  memory, and starts recording. Reason explains a failure. Call once,
    --  before the tasks work
 
-   procedure Finish (Whole : out Boolean; Reason : out Texts.Text)
+   procedure Finish (Reason : out Texts.Text)
    with
      Global => (Input  => Ada.Real_Time.Clock_Time,
                 In_Out => (Recorder, Process.System_State));
-   --  Ends the recording and writes the file, if any. Whole is false if it is
-   --  incomplete: the disk is full, or it took longer than
+   --  Ends the recording and writes the file, if any. Reason is empty, or says
+   --  why it is incomplete: the disk is full, or it took longer than
    --  Schedule.Trace_Limit. The calling task first gives up its real-time
    --  priority. To be called last, before the end of the process
+
+   procedure Append_Time
+     (Line  : in out Texts.Text;
+      Value : Ada.Real_Time.Time;
+      Step  : Positive := 1;
+      Width : Positive := 9)
+   with Global => null, Pre => Width <= 9;
+   --  Value, as seconds of the clock with Width decimals, in steps of Step
+   --  nanoseconds
 
    --  The events. Who: the task concerned. What the main procedure does is
    --  not recorded

@@ -2,12 +2,12 @@
 
 with Ada.Real_Time;  use Ada.Real_Time;
 with Bytes;
+with Command_Lines;
 with Journal;
 with Options;
 with Robot.Protocol; use Robot.Protocol;
 with Robot.Serial_Line;
 with Robot.Session;
-with Settings;
 with Texts;
 with Trace;
 
@@ -21,7 +21,7 @@ package body Robot.Exchange with SPARK_Mode is
    procedure Open_Device
      (Held : in out Robot.Line_Status.Dialogue; Success : out Boolean)
    is
-      Chosen : Options.Values renames Settings.Command_Line.Chosen;
+      Chosen : Options.Values renames Command_Lines.Given.Chosen;
       Reason : Texts.Text;
       Line   : Texts.Text;
    begin
@@ -36,7 +36,9 @@ package body Robot.Exchange with SPARK_Mode is
          Texts.Append (Line, ": ");
          Texts.Append (Line, Texts.Image (Reason));
       end if;
-      Journal.Put ((if Success then Options.Info else Options.Error), Line);
+      Journal.Put
+        ((if Success then Options.Info else Options.Error),
+         Texts.Image (Line));
    end Open_Device;
 
    procedure Discard_Unasked
@@ -114,7 +116,7 @@ package body Robot.Exchange with SPARK_Mode is
       Robot.Serial_Line.Write (Item, Mode, Length, Sent);
       Has_Left := Now + Length * Schedule.Byte_Time;
       Deadline := Has_Left
-        + Milliseconds (Settings.Command_Line.Chosen.Answer_Timeout);
+        + Milliseconds (Command_Lines.Given.Chosen.Answer_Timeout);
       Trace.Put (Trace.Ordered, Who, Label => Letter (Item.Kind) & "     ");
       Trace.Put (Trace.Wait, Who, Label => Trace.Answer);
       if not Sent or else Held.Unasked > 4
@@ -164,10 +166,6 @@ package body Robot.Exchange with SPARK_Mode is
       Mode  : Robot.Session.Mode_Kind;
       Step  : Robot.Session.Step;
       Last  : out Robot.Session.Step_Result)
-   with
-     Pre =>
-       (if Robot.Session.Sends_Movement (Step) then
-           Mode /= Robot.Session.Not_Started)
    is
       Ignored  : Frame_Length;
       All_Sent : Boolean;
@@ -234,7 +232,7 @@ package body Robot.Exchange with SPARK_Mode is
          Robot.Session.Continue_Request (State, Progress, Last, Step);
       end loop;
       Held.State := State;
-      Result := Robot.Session.Result (Progress);
+      Result := Progress.Result;
       Held.Empty := State.Line_Open
         and then
           (if Request.Kind = Commands.Get_Battery

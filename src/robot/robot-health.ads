@@ -23,46 +23,6 @@ package Robot.Health with SPARK_Mode is
 
    subtype Failure_Count is Natural range 0 .. Max_Failures;
 
-   type State is private;
-   --  Initially in step.
-
-   function Failures (H : State) return Failure_Count;
-   --  Number of failed exchanges in a row.
-
-   function Is_Owed (H : State; Class : Answer_Class) return Boolean;
-   --  A late answer of this class may still arrive.
-
-   function Lost (H : State) return Boolean is (Failures (H) = Max_Failures);
-   --  No further exchange: the line must be closed.
-
-   function In_Step (H : State) return Boolean;
-   --  The next frame to arrive is the answer to the next command.
-
-   Initial : constant State;
-   --  In step, no failure, nothing owed: also after an answer to a command
-   --  sent in step, or to a probe
-
-   Opened  : constant State;
-   --  The state of a newly opened line: the same, but out of step
-
-   function Probe (H : State) return Command_Kind
-   with
-     Pre  => not Lost (H),
-     Post => Probe'Result in Version | Battery | Unknown_Letter | Ping
-       and then not Is_Owed (H, Class_Of (Probe'Result));
-   --  The command that synchronises the line. There always is one.
-
-   function After_Failure (H : State; Command : Command_Kind) return State
-   with
-     Pre  => not Lost (H),
-     Post => Failures (After_Failure'Result) = Failures (H) + 1
-       and then not In_Step (After_Failure'Result);
-   --  The exchange of Command failed: no answer in time, a wrong checksum, a
-   --  wrong kind of answer or a malformed one. A probe fails only by time-out.
-   --  The class of Command is owed from now on, too
-
-private
-
    type Class_Set is array (Answer_Class) of Boolean;
 
    function Count (Owed : Class_Set) return Natural is
@@ -71,30 +31,39 @@ private
 
    type State is record
       Failures : Failure_Count := 0;
+      --  Exchanges in a row that have failed
       Owed     : Class_Set     := (others => False);
-      Untried  : Boolean       := False;  --  since it was opened
+      --  A late answer of these classes may still arrive
+      Untried  : Boolean       := False;
+      --  Since it was opened
    end record
    with Dynamic_Predicate => Count (State.Owed) <= State.Failures;
    --  A failure adds at most one class: while the line is not lost, one of the
    --  four classes is free for a probe.
 
    Initial : constant State := (others => <>);
+   --  In step, no failure, nothing owed: also after an answer to a command
+   --  sent in step, or to a probe
 
    Opened  : constant State := (Untried => True, others => <>);
+   --  The state of a newly opened line: the same, but out of step
 
-   function Failures (H : State) return Failure_Count is (H.Failures);
+   function Lost (H : State) return Boolean is (H.Failures = Max_Failures);
+   --  No further exchange: the line must be closed.
 
    function In_Step (H : State) return Boolean is
      (H.Failures = 0 and then not H.Untried);
-
-   function Is_Owed (H : State; Class : Answer_Class) return Boolean is
-     (H.Owed (Class));
+   --  The next frame to arrive is the answer to the next command.
 
    function Probe (H : State) return Command_Kind is
      (if not H.Owed (Text) then Version
       elsif not H.Owed (Digit) then Battery
       elsif not H.Owed (Unknown) then Unknown_Letter
-      else Ping);
+      else Ping)
+   with
+     Pre  => not Lost (H),
+     Post => not H.Owed (Class_Of (Probe'Result));
+   --  The command that synchronises the line. There always is one.
 
    function Is_Owed_After
      (H : State; Command : Command_Kind; Class : Answer_Class) return Boolean
@@ -107,6 +76,10 @@ private
          Digit       => Is_Owed_After (H, Command, Digit),
          Text        => Is_Owed_After (H, Command, Text),
          Unknown     => Is_Owed_After (H, Command, Unknown)),
-      Untried  => False);
+      Untried  => False)
+   with Pre => not Lost (H);
+   --  The exchange of Command failed: no answer in time, a wrong checksum, a
+   --  wrong kind of answer or a malformed one. A probe fails only by time-out.
+   --  The class of Command is owed from now on, too
 
 end Robot.Health;

@@ -2,15 +2,14 @@
 --  The object only locks; Robot.Requests and Robot.Line_Status decide.
 
 with Ada.Real_Time; use Ada.Real_Time;
-with Robot.Users;
-with Settings;
+with Command_Lines;
 with Trace;
 
 package body Robot.Line with SPARK_Mode is
 
    type Turn is record
       Given  : Boolean := False;
-      To     : Schedule.Task_Name := Schedule.Th_Move;
+      To     : Task_Name := Th_Move;
       Number : Commands.Ticket := 0;
    end record;
    --  Given: the line is free, and this task is to be woken for the next
@@ -19,7 +18,6 @@ package body Robot.Line with SPARK_Mode is
    procedure Look_At_Clock
      (Waiting : in out Robot.Requests.Requests;
       State   : Robot.Line_Status.State)
-   with Annotate => (GNATprove, Terminating)
    is
       --  What is due by now
       Now : constant Time := Clock;
@@ -31,16 +29,13 @@ package body Robot.Line with SPARK_Mode is
       end loop;
       Waiting.Quiet := Robot.Line_Status.Is_Quiet
         (State, Now,
-         Milliseconds (Settings.Command_Line.Chosen.Answer_Timeout));
+         Milliseconds (Command_Lines.Given.Chosen.Answer_Timeout));
    end Look_At_Clock;
 
    procedure Choose
      (Waiting : in out Robot.Requests.Requests;
       State   : Robot.Line_Status.State;
       Next    : out Turn)
-   with
-     Post => Next.Given = Robot.Requests.Next (Waiting).Found,
-     Annotate => (GNATprove, Terminating)
    is
       Choice : Robot.Requests.Choice;
       Item   : Robot.Requests.Job;
@@ -56,17 +51,11 @@ package body Robot.Line with SPARK_Mode is
 
    protected Line with Priority => Schedule.Line_Ceiling is
       procedure Begin_Session (First : Commands.Ticket);
-      procedure Put (Order : Commands.Order; Next : out Turn)
-      with Pre => Order.Command.Name in Commands.Robot_Command;
-      procedure Ask
-        (From    : Robot.Requests.Asked;
-         Request : Commands.Request;
-         Order   : Commands.Order;
-         Next    : out Turn);
+      procedure Put (Item : Robot.Requests.Job; Next : out Turn);
       procedure Look
         (From : Robot.Requests.Periodic; Due : out Time; Next : out Turn);
       procedure Take
-        (Who     : Schedule.Task_Name;
+        (Who     : Task_Name;
          Item    : in out Robot.Requests.Job;
          Verdict : out Robot.Requests.Verdict_Kind;
          Held    : out Robot.Line_Status.Dialogue;
@@ -95,24 +84,14 @@ package body Robot.Line with SPARK_Mode is
          Robot.Requests.Begin_Session (Waiting, First);
       end Begin_Session;
 
-      procedure Put (Order : Commands.Order; Next : out Turn) is
+      procedure Put (Item : Robot.Requests.Job; Next : out Turn) is
       begin
-         Robot.Requests.Put (Waiting, Order);
-         Choose (Waiting, State, Next);
-      end Put;
-
-      procedure Ask
-        (From    : Robot.Requests.Asked;
-         Request : Commands.Request;
-         Order   : Commands.Order;
-         Next    : out Turn) is
-      begin
-         Robot.Requests.Ask (Waiting, From, Request, Order);
-         if From = Robot.Requests.Mission then
+         Robot.Requests.Put (Waiting, Item);
+         if Item.From = Robot.Requests.Mission then
             Asked := Clock;
          end if;
          Choose (Waiting, State, Next);
-      end Ask;
+      end Put;
 
       procedure Look
         (From : Robot.Requests.Periodic; Due : out Time; Next : out Turn) is
@@ -122,7 +101,7 @@ package body Robot.Line with SPARK_Mode is
       end Look;
 
       procedure Take
-        (Who     : Schedule.Task_Name;
+        (Who     : Task_Name;
          Item    : in out Robot.Requests.Job;
          Verdict : out Robot.Requests.Verdict_Kind;
          Held    : out Robot.Line_Status.Dialogue;
@@ -166,12 +145,20 @@ package body Robot.Line with SPARK_Mode is
 
    end Line;
 
-   procedure Wake (Next : Turn)
-   with Annotate => (GNATprove, Terminating)
-   is
+   procedure Wake (Next : Turn) is
    begin
       if Next.Given then
-         Robot.Users.Set (Next.To, Next.Number);
+         case Next.To is
+            when Th_Open_Com_Robot => Open_Com.Set (Next.Number);
+            when Th_Start_Robot    => Start.Set (Next.Number);
+            when Th_Start_Robot_WD => Start_WD.Set (Next.Number);
+            when Th_Reset_Robot    => Reset.Set (Next.Number);
+            when Th_Move           => Move.Set (Next.Number);
+            when Th_Battery_Level  => Battery.Set (Next.Number);
+            when Th_Mission        => Mission.Set (Next.Number);
+            when Th_Com_Mon_Perdue => Monitor_Lost.Set (Next.Number);
+            when others            => null;
+         end case;
       end if;
    end Wake;
 
@@ -184,7 +171,10 @@ package body Robot.Line with SPARK_Mode is
       Next : Turn;
    begin
       Order.Owed := False;
-      Line.Put (Order, Next);
+      Line.Put
+        ((Robot.Requests.Source_Of (Order.Command.Name),
+          Commands.Request_Of (Order.Command), Order),
+         Next);
       Wake (Next);
    end Put;
 
@@ -195,7 +185,7 @@ package body Robot.Line with SPARK_Mode is
    is
       Next : Turn;
    begin
-      Line.Ask (From, Request, Order, Next);
+      Line.Put ((From, Request, Order), Next);
       Wake (Next);
    end Ask;
 
@@ -214,7 +204,7 @@ package body Robot.Line with SPARK_Mode is
    end Look;
 
    procedure Take
-     (Who     : Schedule.Task_Name;
+     (Who     : Task_Name;
       Item    : in out Robot.Requests.Job;
       Verdict : out Robot.Requests.Verdict_Kind;
       Held    : out Robot.Line_Status.Dialogue;

@@ -4,14 +4,27 @@
 
 with Ada.Real_Time;
 with Commands;
+with Event;
 with Robot.Line_Status;
 with Robot.Requests;
-with Schedule;
+with Schedule; use Schedule;
 
 package Robot.Line with SPARK_Mode is
 
    use type Commands.Ticket;
    use type Robot.Requests.Source;
+
+   --  The events by which each of the tasks that use the line learns that it
+   --  may take it, or is to look when it will
+
+   package Open_Com is new Event (Th_Open_Com_Robot);
+   package Start is new Event (Th_Start_Robot);
+   package Start_WD is new Event (Th_Start_Robot_WD);
+   package Reset is new Event (Th_Reset_Robot);
+   package Move is new Event (Th_Move);
+   package Battery is new Event (Th_Battery_Level);
+   package Mission is new Event (Th_Mission);
+   package Monitor_Lost is new Event (Th_Com_Mon_Perdue);
 
    procedure Begin_Session (First : Commands.Ticket)
    with Annotate => (GNATprove, Terminating);
@@ -44,7 +57,7 @@ package Robot.Line with SPARK_Mode is
    --  again, for From
 
    procedure Take
-     (Who     : Schedule.Task_Name;
+     (Who     : Task_Name;
       Item    : in out Robot.Requests.Job;
       Verdict : out Robot.Requests.Verdict_Kind;
       Held    : out Robot.Line_Status.Dialogue;

@@ -14,7 +14,7 @@ package body Robot.Line_Status with SPARK_Mode is
       Result : Commands.Outcome;
       Now    : Time) is
    begin
-      S.Known.Failures := Robot.Health.Failures (Held.State.Health);
+      S.Known.Failures := Held.State.Health.Failures;
       S.Known.Open := Held.State.Line_Open;
       S.Known.Mode := Held.State.Mode;
       S.Known.Used_At := Now;

@@ -22,13 +22,11 @@ package body Robot.Protocol with SPARK_Mode is
    procedure Accept_Byte
      (R : in out Receiver; B : Byte; F : out Frame; Complete : out Boolean) is
    begin
-      F := (others => <>);
       Complete := B = Terminator;
+      F := (R.Data, (if Complete and then R.Length <= Max_Frame then R.Length
+                     else 0));
       if Complete then
-         if R.Length <= Max_Frame then
-            F := (R.Data, R.Length);
-         end if;
-         R := (others => <>);
+         R.Length := 0;
       elsif R.Length < Max_Frame then
          R.Length := R.Length + 1;
          R.Data (R.Length) := B;
@@ -36,16 +34,6 @@ package body Robot.Protocol with SPARK_Mode is
          R.Length := Max_Frame + 1;
       end if;
    end Accept_Byte;
-
-   function Checksum (Data : Byte_Array; Length : Natural) return Byte is
-      Result : Byte := 0;
-   begin
-      for I in 1 .. Length loop
-         Result := Result xor Data (I);
-         pragma Loop_Invariant (Result = Parity (Data, I));
-      end loop;
-      return (if Result = Terminator then 16#0E# else Result);
-   end Checksum;
 
    procedure Encode (C : Command; F : out Frame) is
       Last : Frame_Length := 1;

@@ -74,21 +74,19 @@ package Robot.Protocol with SPARK_Mode is
      (if Last = 0 then 0
       else Parity (Data, Last - 1) xor Data (Last))
    with
-     Ghost,
      Pre => Data'First = 1
        and then Last <= Data'Last
        and then Last <= Max_Frame,
      Subprogram_Variant => (Decreases => Last);
    --  The exclusive or of the first Last bytes.
 
-   function Checksum (Data : Byte_Array; Length : Natural) return Byte
+   function Checksum (Data : Byte_Array; Length : Natural) return Byte is
+     (if Parity (Data, Length) = Terminator then 16#0E#
+      else Parity (Data, Length))
    with
-     Pre  => Data'First = 1
+     Pre => Data'First = 1
        and then Length <= Data'Last
-       and then Length <= Max_Frame,
-     Post => Checksum'Result =
-       (if Parity (Data, Length) = Terminator then 16#0E#
-        else Parity (Data, Length));
+       and then Length <= Max_Frame;
    --  The checksum of the first Length bytes: never equal to the terminator.
 
    function Is_Framed (F : Frame) return Boolean is
@@ -152,11 +150,9 @@ package Robot.Protocol with SPARK_Mode is
    subtype Failed_Reply is Reply_Kind range Bad_Checksum .. Malformed;
    --  Not an answer: the exchange failed.
 
-   subtype Reply_Value is Integer range 0 .. 2;
-
    type Reply is record
-      Kind  : Reply_Kind  := Malformed;
-      Value : Reply_Value := 0;
+      Kind  : Reply_Kind           := Malformed;
+      Value : Integer range 0 .. 2 := 0;
    end record;
    --  Value is the digit of a Level or a Moving_State, otherwise 0.
 
@@ -251,7 +247,7 @@ package Robot.Protocol with SPARK_Mode is
        and then F.Length =
          (if Complete and then R'Old.Length <= Max_Frame then R'Old.Length
           else 0)
-       and then (for all I in 1 .. F.Length => F.Data (I) = R'Old.Data (I))
+       and then F.Data = R'Old.Data
        and then
          (for all I in 1 .. Natural'Min (R.Length, Max_Frame) =>
             R.Data (I) = (if I <= R'Old.Length then R'Old.Data (I) else B));

@@ -12,41 +12,30 @@ package body Robot.Requests with SPARK_Mode is
          if S not in Asked then
             Job_Queues.Clear (R.Waiting (S));
          end if;
-         pragma Loop_Invariant
-           (for all D in Source'First .. S =>
-              (if D not in Asked then
-                  Job_Queues.Length (R.Waiting (D)) = 0));
       end loop;
    end Begin_Session;
 
-   procedure Put (R : in out Requests; Order : Commands.Order) is
-      Name : constant Robot_Command := Order.Command.Name;
-      From : constant Source := Source_Of (Name);
-      Item : Job := (From, Request_Of (Order.Command), Order);
+   procedure Put (R : in out Requests; Item : Job) is
+      Number : constant Commands.Ticket := Item.Order.Number;
+      Placed : Job := Item;
    begin
-      Item.Order.After := R.Last_Change;
-      Job_Queues.Put (R.Waiting (From), Item);
-      if From = Stop_Order then
-         R.Last_Stop := Order.Number;
-      elsif Robot.Session.Changes_Session (Item.Request.Kind) then
-         R.Last_Change := Order.Number;
+      Placed.Order.After := R.Last_Change;
+      Job_Queues.Put (R.Waiting (Item.From), Placed);
+      if Item.From = Stop_Order then
+         R.Last_Stop := Number;
+      elsif Item.From = Mission then
+         R.Last_Mission := Number;
+      elsif Item.From = Other_Order
+        and then Robot.Session.Changes_Session (Item.Request.Kind)
+      then
+         R.Last_Change := Number;
       end if;
-      if Is_By_Hand (Name) then
-         R.Last_Hand := Order.Number;
+      if Item.From not in Asked
+        and then Is_By_Hand (Item.Order.Command.Name)
+      then
+         R.Last_Hand := Number;
       end if;
    end Put;
-
-   procedure Ask
-     (R       : in out Requests;
-      From    : Asked;
-      Request : Commands.Request;
-      Order   : Commands.Order) is
-   begin
-      Job_Queues.Put (R.Waiting (From), (From, Request, Order));
-      if From = Mission then
-         R.Last_Mission := Order.Number;
-      end if;
-   end Ask;
 
    function Next (R : Requests) return Choice is
    begin

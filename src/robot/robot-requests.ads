@@ -99,10 +99,7 @@ package Robot.Requests with SPARK_Mode is
                              others => <>),
          when Keep_Alive => (From, (Commands.Keep_Alive, others => <>),
                              others => <>),
-         when others     =>
-           (From,
-            Job_Queues.Element_At (R.Waiting (From), 1).Request,
-            Job_Queues.Element_At (R.Waiting (From), 1).Order))
+         when others     => Job_Queues.Element_At (R.Waiting (From), 1))
    with Pre => Is_Pending (R, From);
 
    function Waits_For
@@ -188,36 +185,13 @@ package Robot.Requests with SPARK_Mode is
             Job_Queues.Is_Same (R.Waiting (S), Before.Waiting (S))))
    with Ghost;
 
-   procedure Begin_Session (R : in out Requests; First : Commands.Ticket)
-   with
-     Post => R.First_Order = First
-       and then (for all S in Source =>
-                   (if S not in Asked then
-                       Job_Queues.Length (R.Waiting (S)) = 0));
+   procedure Begin_Session (R : in out Requests; First : Commands.Ticket);
    --  Orders with a number below First are now out of date
 
-   procedure Put (R : in out Requests; Order : Commands.Order)
-   with
-     Pre  => Order.Command.Name in Robot_Command,
-     Post => Is_Same_But (R, R'Old, Source_Of (Order.Command.Name))
-       and then R.Last_Stop =
-         (if Source_Of (Order.Command.Name) = Stop_Order then Order.Number
-          else R'Old.Last_Stop)
-       and then R.Last_Hand =
-         (if Is_By_Hand (Order.Command.Name) then Order.Number
-          else R'Old.Last_Hand);
-   --  Appends an order of the monitor. A stop cancels older movements that
-   --  still wait, and an order by hand what an older mission has asked for, or
-   --  will ask for
-
-   procedure Ask
-     (R       : in out Requests;
-      From    : Asked;
-      Request : Commands.Request;
-      Order   : Commands.Order)
-   with
-     Post => Is_Same_But (R, R'Old, From);
-   --  A request of From itself
+   procedure Put (R : in out Requests; Item : Job)
+   with Post => Is_Same_But (R, R'Old, Item.From);
+   --  Appends a request. A stop cancels older movements that still wait, and
+   --  an order by hand what an older mission has asked for, or will ask for
 
    type Choice is record
       Found : Boolean := False;
@@ -256,8 +230,8 @@ package Robot.Requests with SPARK_Mode is
          (if Found then
              R.In_Use
              and then Item = Head (R'Old, Next (R'Old).From)
-             and then R.Was_Stop = (Item.From = Stop_Order)
-             and then Is_Same_But (R, R'Old, Item.From)
+             and then R.Was_Stop = (Next (R'Old).From = Stop_Order)
+             and then Is_Same_But (R, R'Old, Next (R'Old).From)
           else R = R'Old and then Item = Item'Old);
    --  Found: the next request is one for Who, who has the line from now on
 

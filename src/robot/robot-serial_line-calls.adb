@@ -84,13 +84,13 @@ is
       Linux.Close (File);
    end Get_Start;
 
-   procedure Get_Numbers (Path : String; File : out Terminal_Users.File) is
+   procedure Get_Numbers (Path : String; File : out File_Numbers) is
       Current_Folder : constant int      := -100;    --  AT_FDCWD
       Wanted         : constant unsigned := 16#100#; --  STATX_INO
       Status         : File_Status := (others => 0);
       Ignored        : int;
 
-      function Device_At (Word : Positive) return Terminal_Users.Device is
+      function Device_At (Word : Positive) return Device_Number is
         (Natural (Status (Word) mod 2 ** 12),
          Natural (Status (Word + 1) mod 2 ** 19));
    begin

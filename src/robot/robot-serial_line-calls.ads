@@ -2,8 +2,6 @@
 --  The calls of the serial device: each returns what the system says, and
 --  decides nothing.
 
-with Terminal_Users;
-
 private package Robot.Serial_Line.Calls with
   SPARK_Mode,
   Abstract_State =>
@@ -46,7 +44,20 @@ is
      Post   => Last <= Data'Last;
    --  What the file at Path begins with: Data (1 .. Last)
 
-   procedure Get_Numbers (Path : String; File : out Terminal_Users.File)
+   type Device_Number is record
+      Major : Natural range 0 .. 2 ** 12 - 1 := 0;
+      Minor : Natural range 0 .. 2 ** 19 - 1 := 0;
+   end record;
+   --  The kernel's number for a device. A minor has one bit more, which no
+   --  terminal needs
+
+   type File_Numbers is record
+      Itself : Device_Number;  --  if it is a device
+      Place  : Device_Number;  --  where it is
+      Inode  : Natural := 0;
+   end record;
+
+   procedure Get_Numbers (Path : String; File : out File_Numbers)
    with Global => (In_Out => Port);
    --  Of the file at Path
 

@@ -1,10 +1,11 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
 
-with Ada.Real_Time; use Ada.Real_Time;
+with Ada.Real_Time;     use Ada.Real_Time;
+with Ada.Strings.Fixed; use Ada.Strings.Fixed;
 with Process;
 with Robot.Serial_Line.Calls;
 with Schedule;
-with Terminal_Users;
+with Trace;
 
 package body Robot.Serial_Line with
   SPARK_Mode,
@@ -28,6 +29,53 @@ is
       end if;
    end Note_End;
 
+   procedure Append_Hexadecimal (To : in out Texts.Text; Number : Natural) is
+      --  Two digits or more
+      All_Digits : constant String := "0123456789abcdef";
+      Weights    : constant array (0 .. 4) of Positive :=
+        (1, 16#10#, 16#100#, 16#1000#, 16#1_0000#);
+      Left       : Natural;
+      Digit      : Positive range 1 .. 16;
+   begin
+      for Place in reverse 0 .. 4 loop
+         Left := Number / Weights (Place);
+         Digit := Left mod 16 + 1;
+         if Left > 0 or else Place < 2 then
+            Texts.Append (To, All_Digits (Digit .. Digit));
+         end if;
+      end loop;
+   end Append_Hexadecimal;
+
+   procedure Find_Lock
+     (Table : String; Locked : Calls.File_Numbers; Owner : out Texts.Text)
+   with Pre => Table'First = 1 and then Table'Last < Integer'Last
+   is
+      --  The number of the process that has the first lock of the file, in
+      --  decimal; empty if there is none. Table: /proc/locks, a line for each,
+      --  such as "1: FLOCK  ADVISORY  WRITE 1234 00:1a:3 0 EOF", with the
+      --  process and the file's place and inode
+      Wanted : Texts.Text := Texts.To_Text (" ");
+      Place  : Natural;
+      Start  : Positive;
+   begin
+      Texts.Set (Owner, "");
+      Append_Hexadecimal (Wanted, Locked.Place.Major);
+      Texts.Append (Wanted, ":");
+      Append_Hexadecimal (Wanted, Locked.Place.Minor);
+      Texts.Append (Wanted, ":");
+      Texts.Append (Wanted, Locked.Inode);
+      Texts.Append (Wanted, " ");
+      Place := Index (Table, Texts.Image (Wanted));
+      if Place > 0 then
+         Start := Place;
+         while Start > 1 and then Table (Start - 1) in '0' .. '9' loop
+            pragma Loop_Invariant (Start <= Place);
+            Start := Start - 1;
+         end loop;
+         Texts.Set (Owner, Table (Start .. Place - 1));
+      end if;
+   end Find_Lock;
+
    procedure Append_Process (To : in out Texts.Text; Number : String) is
       --  Its name, and its number
       Name : String (1 .. 16) := (others => ' ');
@@ -48,7 +96,7 @@ is
       --  Why the device cannot be opened, after a call has failed with Error
       Table : String (1 .. 8_192) := (others => ' ');
       Last  : Natural;
-      File  : Terminal_Users.File;
+      File  : Calls.File_Numbers;
       Owner : Texts.Text;
    begin
       if Error = Calls.No_Terminal then
@@ -64,7 +112,7 @@ is
       end if;
       Calls.Get_Numbers (Texts.Image (Path), File);
       Calls.Get_Start ("/proc/locks", Table, Last);
-      Terminal_Users.Find_Lock (Table (1 .. Last), File, Owner);
+      Find_Lock (Table (1 .. Last), File, Owner);
       Texts.Set (Reason, "in use by ");
       if Owner.Length = 0 then
          Texts.Append (Reason, "another program");
@@ -225,8 +273,53 @@ is
       Gone := Is_Gone;
    end Get_Gone;
 
+   function Is_Console
+     (Table : String; Number : Calls.Device_Number) return Boolean
+   is
+      --  The kernel writes its messages to the device. Table: /proc/consoles,
+      --  a line for each, such as "ttyS0   -W- (EC p a)    4:64"
+      Wanted : Texts.Text := Texts.To_Text (" ");
+   begin
+      Texts.Append (Wanted, Number.Major);
+      Texts.Append (Wanted, ":");
+      Texts.Append (Wanted, Number.Minor);
+      Texts.Append (Wanted, (1 => Character'Val (10)));
+      return Index (Table, Texts.Image (Wanted)) > 0;
+   end Is_Console;
+
+   function Is_Of_Session
+     (Stat : String; Number : Calls.Device_Number) return Boolean
+   with Pre => Stat'First = 1 and then Stat'Last < Integer'Last
+   is
+      --  The device is the terminal of a process' session, such as a login's.
+      --  Stat: its /proc/PID/stat, such as
+      --  "512 (agetty) S 1 512 512 1088 512 ..."
+      Wanted : Texts.Text := Texts.To_Text (" ");
+      Blanks : Natural range 0 .. 5 := 0;
+   begin
+      Texts.Append
+        (Wanted,
+         Number.Minor mod 2 ** 8 + 2 ** 8 * Number.Major
+         + 2 ** 20 * (Number.Minor / 2 ** 8));
+      Texts.Append (Wanted, " ");
+      --  the name may have a parenthesis, too: the last one counts
+      for I in Index (Stat, ")", Ada.Strings.Backward) + 1 .. Stat'Last loop
+         pragma Loop_Invariant (Blanks < 5);
+         if Stat (I) = ' ' then
+            Blanks := Blanks + 1;
+            --  before the fifth word after the name
+            if Blanks = 5 then
+               return Number.Major > 0  --  0: none
+                 and then
+                   Index (Stat (I .. Stat'Last), Texts.Image (Wanted)) = I;
+            end if;
+         end if;
+      end loop;
+      return False;
+   end Is_Of_Session;
+
    procedure Get_Use (Path : Texts.Text; Used : out Texts.Text) is
-      File    : Terminal_Users.File;
+      File    : Calls.File_Numbers;
       Table   : String (1 .. 2_048) := (others => ' ');
       Last    : Natural;
       Numbers : String (1 .. 65_536) := (others => ' ');
@@ -236,7 +329,7 @@ is
       Texts.Set (Used, "");
       Calls.Get_Numbers (Texts.Image (Path), File);
       Calls.Get_Start ("/proc/consoles", Table, Last);
-      if Terminal_Users.Is_Console (Table (1 .. Last), File.Itself) then
+      if Is_Console (Table (1 .. Last), File.Itself) then
          Texts.Set (Used, "it is a console of the kernel");
          return;
       end if;
@@ -246,7 +339,7 @@ is
          if Numbers (I) = ' ' then
             Calls.Get_Start
               ("/proc/" & Numbers (Start .. I - 1) & "/stat", Table, Last);
-            if Terminal_Users.Is_Of_Session (Table (1 .. Last), File.Itself)
+            if Is_Of_Session (Table (1 .. Last), File.Itself)
             then
                Append_Process (Used, Numbers (Start .. I - 1));
                Texts.Append (Used, " has it as its terminal");

@@ -7,7 +7,6 @@ with Bytes;
 with Robot.Protocol;
 with Robot.Session;
 with Texts;
-with Trace;
 
 package Robot.Serial_Line with
   SPARK_Mode,
@@ -19,22 +18,16 @@ is
    use type Robot.Session.Mode_Kind;
 
    procedure Open
-     (Path : Texts.Text; Success : out Boolean; Reason : out Texts.Text)
-   with
-     Global =>
-       (In_Out => Device, Input => Ada.Real_Time.Clock_Time);
+     (Path : Texts.Text; Success : out Boolean; Reason : out Texts.Text);
    --  Opens and configures the device, for this process alone, and discards
    --  its input so far. Reason explains a failure
 
-   procedure Close (All_Sent : out Boolean)
-   with
-     Global =>
-       (In_Out => Device, Input => Ada.Real_Time.Clock_Time);
+   procedure Close (All_Sent : out Boolean);
    --  Waits for what has been written to leave, Schedule.Unsent_Limit at most;
    --  the rest is discarded, since the device may never take it (not
    --  All_Sent). No effect if it is not open
 
-   procedure Discard_Input with Global => (In_Out => Device);
+   procedure Discard_Input;
    --  Discards what has been received and not read
 
    procedure Write
@@ -43,8 +36,7 @@ is
       Length  : out Robot.Protocol.Frame_Length;
       Success : out Boolean)
    with
-     Global => (In_Out => Device),
-     Pre    =>
+     Pre =>
        (if Robot.Protocol.Is_Movement (Item) then
            Mode /= Robot.Session.Not_Started);
    --  Sends the frame of Item, which has Length bytes, to a robot in Mode.
@@ -55,31 +47,24 @@ is
       Length  : out Natural;
       Until_Time : Ada.Real_Time.Time;
       Success : out Boolean)
-   with
-     Global => (In_Out => Device, Input => Ada.Real_Time.Clock_Time),
-     Post   => Length <= Data'Length;
+   with Post => Length <= Data'Length;
    --  Received data; waits for the first byte until Until_Time at most, then
    --  Length is 0. Success is false if the device has been removed
 
    procedure Send_Stop
-     (Path : Texts.Text; Sent : out Boolean; Report : out Texts.Text)
-   with
-     Global =>
-       (In_Out => Device, Input => Ada.Real_Time.Clock_Time);
+     (Path : Texts.Text; Sent : out Boolean; Report : out Texts.Text);
    --  Opens the device, writes the stop order's frame and closes it: for a
    --  robot whose supervisor was killed, while this one has no session. A line
    --  in use stays as it is. Report says what was done, or why nothing
 
-   procedure Get_Gone (Gone : out Boolean) with Global => (Input => Device);
+   procedure Get_Gone (Gone : out Boolean);
    --  Whether the device has been removed since it was opened
 
-   procedure Get_Use (Path : Texts.Text; Used : out Texts.Text)
-   with Global => (In_Out => Device);
+   procedure Get_Use (Path : Texts.Text; Used : out Texts.Text);
    --  What else the device is for: a console of the kernel, a login; empty if
    --  nothing is known
 
-   procedure Stop_Blindly
-   with Global => (In_Out => (Device, Trace.Recorder));
+   procedure Stop_Blindly;
    --  Writes the stop order's frame from any task: the last resort when the
    --  supervisor ends by an internal failure
 

@@ -76,127 +76,6 @@ package Robot.Session with SPARK_Mode is
       --  of the reply's frame
    end record;
 
-   type Progress is private;
-   --  The progress of a request
-
-   function Result (P : Progress) return Outcome;
-   --  The outcome of the request, once its step is Finish
-
-   --  Used in the contracts
-
-   function Is_Sent (Next : Step) return Boolean is
-     (Next.Kind in Send | Exchange | Synchronise);
-   --  The step writes its command to the line
-
-   function Sends_Stop (Next : Step) return Boolean is
-     (Is_Sent (Next) and then Next.Command = Robot.Protocol.Stop);
-
-   function Sends_Movement (Next : Step) return Boolean is
-     (Is_Sent (Next) and then Robot.Protocol.Is_Movement (Next.Command));
-
-   function Is_Accepted (Last : Step_Result) return Boolean is
-     (Last.Ok and then Last.Reply.Kind in Robot.Protocol.Accepted_Reply);
-   --  The robot acknowledged the step's command
-
-   function Request_Of (P : Progress) return Request with Ghost;
-
-   function Has_Stopped (P : Progress) return Boolean with Ghost;
-   --  A step of this request has sent a stop
-
-   function Is_Under_Way (S : State; P : Progress) return Boolean
-   with Ghost;
-   --  P belongs to S: the invariant of a request, valid between its steps
-
-   Max_Steps : constant := 19;
-
-   function Steps_Left (S : State; P : Progress) return Natural with Ghost;
-   --  Upper bound of the remaining steps; 0 once the outcome is final
-
-   function Is_Allowed (S : State; P : Progress; Next : Step) return Boolean
-   is
-     --  a movement is sent only while started, and never after a stop
-     ((if Sends_Movement (Next) then
-          S.Mode /= Not_Started and then not Has_Stopped (P))
-      --  the periodic reload is sent only while started with watchdog, a
-      --  monitor's only while not
-      and then
-        (if Is_Sent (Next) and then Next.Command.Kind = Robot.Protocol.Reload
-         then Request_Of (P).Kind =
-           (if S.Mode = Started_With_Watchdog then Reload
-            else Reload_By_Hand))
-      --  nothing is sent on a closed line
-      and then
-        (if Is_Sent (Next) or else Next.Kind = Close_Device then S.Line_Open)
-      --  in step: await the answer; out of step: skip late answers
-      and then
-        (if Next.Kind = Exchange then Robot.Health.In_Step (S.Health)
-         elsif Next.Kind = Synchronise then
-            not Robot.Health.In_Step (S.Health)
-            and then not Robot.Health.Lost (S.Health)
-            and then Next.Command.Kind = Robot.Health.Probe (S.Health))
-      --  only a stop, and the reset of a newly opened line, are sent without
-      --  awaiting an answer
-      and then
-        (if Next.Kind = Send then
-            Sends_Stop (Next)
-            or else (Next.Command.Kind = Robot.Protocol.Reset
-                     and then Request_Of (P).Kind = Open_Line))
-      and then (if Next.Kind = Finish then Is_Consistent (S)))
-   with
-     Ghost,
-     Pre => Is_Under_Way (S, P);
-   --  Holds for every step of every request
-
-   procedure Start_Request
-     (S    : State;
-      R    : Request;
-      P    : out Progress;
-      Next : out Step)
-   with
-     Pre  => Is_Consistent (S),
-     Post => Is_Under_Way (S, P)
-       and then Is_Allowed (S, P, Next)
-       and then Request_Of (P) = R
-       and then Has_Stopped (P) = Sends_Stop (Next)
-       and then Steps_Left (S, P) <= Max_Steps
-       and then (if R.Kind = Reload then
-                   (Next.Kind /= Finish) = (S.Mode = Started_With_Watchdog));
-   --  The first step of R
-
-   procedure Continue_Request
-     (S    : in out State;
-      P    : in out Progress;
-      Last : Step_Result;
-      Next : out Step)
-   with
-     Pre  => Is_Under_Way (S, P),
-     Post => Is_Under_Way (S, P)
-       and then Is_Allowed (S, P, Next)
-       and then Request_Of (P) = Request_Of (P'Old)
-       and then Has_Stopped (P) =
-                  (Has_Stopped (P'Old) or else Sends_Stop (Next))
-       and then (Next.Kind = Finish
-                 or else Steps_Left (S, P) < Steps_Left (S'Old, P'Old))
-       --  started only by an acknowledged start
-       and then
-         (if S.Mode /= S'Old.Mode and then S.Mode /= Not_Started then
-             Is_Accepted (Last)
-             and then Next.Kind = Finish
-             and then Result (P).Kind = Done
-             and then Request_Of (P).Kind =
-               (if S.Mode = Started then Start else Start_Watchdog))
-       --  and never left without a stop before
-       and then
-         (if S.Mode /= S'Old.Mode and then S.Mode = Not_Started then
-             Has_Stopped (P'Old))
-       --  the line of a lost robot is closed
-       and then
-         (if Next.Kind = Finish and then Result (P).Note = Robot_Lost
-          then not S.Line_Open);
-   --  The next step of the same request, after its last step gave Last
-
-private
-
    type Phase_Kind is
      (Opening,       --  the device
       Clearing,      --  the reset after opening, and a probe
@@ -227,13 +106,25 @@ private
       Off_Sent : Boolean                     := False;
       --  Power_Off has been sent, and was not answered
       Result   : Outcome;
+      --  once the step is Finish
    end record;
+   --  The progress of a request
 
-   function Result (P : Progress) return Outcome is (P.Result);
+   --  Used in the contracts
 
-   function Request_Of (P : Progress) return Request is (P.Request);
+   function Is_Sent (Next : Step) return Boolean is
+     (Next.Kind in Send | Exchange | Synchronise);
+   --  The step writes its command to the line
 
-   function Has_Stopped (P : Progress) return Boolean is (P.Stopped);
+   function Sends_Stop (Next : Step) return Boolean is
+     (Is_Sent (Next) and then Next.Command = Robot.Protocol.Stop);
+
+   function Sends_Movement (Next : Step) return Boolean is
+     (Is_Sent (Next) and then Robot.Protocol.Is_Movement (Next.Command));
+
+   function Is_Accepted (Last : Step_Result) return Boolean is
+     (Last.Ok and then Last.Reply.Kind in Robot.Protocol.Accepted_Reply);
+   --  The robot acknowledged the step's command
 
    subtype Exchange_Phase is Phase_Kind range Clearing .. Testing_Run;
 
@@ -252,8 +143,7 @@ private
    --  The request's own command may be sent on the open line
 
    function Is_Exchanging (S : State; P : Progress) return Boolean is
-     (P.Phase in Exchange_Phase
-      and then S.Line_Open
+     (S.Line_Open
       and then not Robot.Health.Lost (S.Health)
       and then
         (if P.In_Probe then not Robot.Health.In_Step (S.Health)
@@ -302,7 +192,11 @@ private
                       and then P.Wanted.Kind = Robot.Protocol.Busy,
                     when Testing_Run   =>
                       P.Request.Kind in Reload | Drive | Stop
-                      and then P.Wanted = Robot.Protocol.Stop)));
+                      and then P.Wanted = Robot.Protocol.Stop)))
+   with Ghost;
+   --  P belongs to S: the invariant of a request, valid between its steps
+
+   Max_Steps : constant := 19;
 
    function Exchanges_Left (S : State; P : Progress) return Natural is
      (if P.In_Probe then 2
@@ -327,6 +221,91 @@ private
                when others       => 2)
            + Exchanges_Left (S, P),
          when Leaving                =>
-           7 + 3 * (Leave_Tries - P.Tries) + Exchanges_Left (S, P));
+           7 + 3 * (Leave_Tries - P.Tries) + Exchanges_Left (S, P))
+   with Ghost;
+   --  Upper bound of the remaining steps; 0 once the outcome is final
+
+   function Is_Allowed (S : State; P : Progress; Next : Step) return Boolean
+   is
+     --  a movement is sent only while started, and never after a stop
+     ((if Sends_Movement (Next) then
+          S.Mode /= Not_Started and then not P.Stopped)
+      --  the periodic reload is sent only while started with watchdog, a
+      --  monitor's only while not
+      and then
+        (if Is_Sent (Next) and then Next.Command.Kind = Robot.Protocol.Reload
+         then P.Request.Kind =
+           (if S.Mode = Started_With_Watchdog then Reload
+            else Reload_By_Hand))
+      --  nothing is sent on a closed line
+      and then
+        (if Is_Sent (Next) or else Next.Kind = Close_Device then S.Line_Open)
+      --  in step: await the answer; out of step: skip late answers
+      and then
+        (if Next.Kind = Exchange then Robot.Health.In_Step (S.Health)
+         elsif Next.Kind = Synchronise then
+            not Robot.Health.In_Step (S.Health)
+            and then not Robot.Health.Lost (S.Health)
+            and then Next.Command.Kind = Robot.Health.Probe (S.Health))
+      --  only a stop, and the reset of a newly opened line, are sent without
+      --  awaiting an answer
+      and then
+        (if Next.Kind = Send then
+            Sends_Stop (Next)
+            or else (Next.Command.Kind = Robot.Protocol.Reset
+                     and then P.Request.Kind = Open_Line))
+      and then (if Next.Kind = Finish then Is_Consistent (S)))
+   with
+     Ghost,
+     Pre => Is_Under_Way (S, P);
+   --  Holds for every step of every request
+
+   procedure Start_Request
+     (S    : State;
+      R    : Request;
+      P    : out Progress;
+      Next : out Step)
+   with
+     Pre  => Is_Consistent (S),
+     Post => Is_Under_Way (S, P)
+       and then Is_Allowed (S, P, Next)
+       and then P.Request = R
+       and then P.Stopped = Sends_Stop (Next)
+       and then Steps_Left (S, P) <= Max_Steps
+       and then (if R.Kind = Reload then
+                   (Next.Kind /= Finish) = (S.Mode = Started_With_Watchdog));
+   --  The first step of R
+
+   procedure Continue_Request
+     (S    : in out State;
+      P    : in out Progress;
+      Last : Step_Result;
+      Next : out Step)
+   with
+     Pre  => Is_Under_Way (S, P),
+     Post => Is_Under_Way (S, P)
+       and then Is_Allowed (S, P, Next)
+       and then P.Request = P'Old.Request
+       and then P.Stopped =
+                  (P'Old.Stopped or else Sends_Stop (Next))
+       and then (Next.Kind = Finish
+                 or else Steps_Left (S, P) < Steps_Left (S'Old, P'Old))
+       --  started only by an acknowledged start
+       and then
+         (if S.Mode /= S'Old.Mode and then S.Mode /= Not_Started then
+             Is_Accepted (Last)
+             and then Next.Kind = Finish
+             and then P.Result.Kind = Done
+             and then P.Request.Kind =
+               (if S.Mode = Started then Start else Start_Watchdog))
+       --  and never left without a stop before
+       and then
+         (if S.Mode /= S'Old.Mode and then S.Mode = Not_Started then
+             P'Old.Stopped)
+       --  the line of a lost robot is closed
+       and then
+         (if Next.Kind = Finish and then P.Result.Note = Robot_Lost
+          then not S.Line_Open);
+   --  The next step of the same request, after its last step gave Last
 
 end Robot.Session;

@@ -1,20 +1,21 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  Reaction to the end of a task, as none may end: the robot is stopped, then
---  the process.
+--  The handlers for the end of any task, which the run time calls, and for a
+--  fault, an abort or an exit in a library, such as OpenCV or FFmpeg, which
+--  share the process with the tasks.
 
-with Texts;
+with Process;
 
 package Failures with SPARK_Mode is
 
-   procedure Wait_Stop_Failed;
-   --  Waits until the task that ends the process has failed itself: the caller
-   --  must end the process. For one task only
+   pragma Elaborate_Body;
+   --  The elaboration sets the handler for all tasks, before any runs
 
-private
-
-   procedure React (Line : Texts.Text; Of_Stop : Boolean);
-   --  For the handler of Failures.Handlers, when a task has ended: puts Line
-   --  into the log and tells the task that ends the process. If it was that
-   --  one (Of_Stop), the robot is stopped here, and the main procedure is told
+   procedure Catch_Crashes with Global => (In_Out => Process.System_State);
+   --  From now on a crash of a library writes a stop on the robot's line, if
+   --  it is open, and nothing goes there after it; then the process dies of
+   --  the signal, or after an exit with status 3.
+   --
+   --  A fault in the program's own code becomes an exception of its task, as
+   --  it does without this; the stop is written before
 
 end Failures;

@@ -1,6 +1,7 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
 
 with Ada.Real_Time;    use Ada.Real_Time;
+with Command_Lines;
 with Commands;
 with Journal;
 with Missions;         use Missions;
@@ -17,8 +18,6 @@ with Process.Threads;
 with Robot.Line;
 with Robot.Requests;
 with Robot.Service;
-with Robot.Users;
-with Settings;
 with Trace;
 with Vision.State;
 
@@ -38,12 +37,6 @@ package body Mission_Tasks with SPARK_Mode is
    end record;
    --  What the monitor has been told last, and when; Leg 0: nothing yet
 
-   procedure Drive (M : in out Mission)
-   with
-     Pre  => not M.Order.Owed and then Missions.Arenas.Is_Usable (M.Map),
-     Post => not M.Order.Owed and then Has_Ended (M.Run);
-   --  Until the mission has ended
-
    procedure Get_Ground (G : out Missions.Grounds.Ground) is
    begin
       Robot.Line.Get_Status (G.Line);
@@ -51,61 +44,6 @@ package body Mission_Tasks with SPARK_Mode is
       Vision.State.Store.Get_Sighting (G.Seen);
       G.Now := Clock;
    end Get_Ground;
-
-   procedure Carry_Out (M : in out Mission; Wanted : Path)
-   with
-     Pre  => M.Order.Owed,
-     Post => not M.Order.Owed
-   is
-      --  Answers the order, and drives to Wanted where that is possible.
-      --  Before the monitor learns of a refusal or of the end, there is room
-      --  for the next mission
-      Size     : constant Arena_Size :=
-        Settings.Command_Line.Chosen.Arena_Size;
-      Outbox   : Monitor.Mailboxes.Status;
-      Is_Over  : Boolean;
-      Ignored  : Boolean;
-      Targets  : Place_Array;
-      Possible : Boolean;
-      Why      : Refusal;
-   begin
-      Monitor.Outbox.Get (Outbox);
-      Robot.Line.Get_Rights (M.Order.Number, Is_Over, Ignored);
-      if Outbox.End_Waits or else Is_Over or else Wanted.Count = 0 then
-         --  a later session is not told why
-         Missions.Requests.Place.Release;
-         Monitor.Outbox.Answer (M.Order, Monitor.Protocol.Refused);
-         return;
-      end if;
-      Get_Ground (M.Begun);
-      Missions.Grounds.Check
-        (M.Begun, Wanted, Size, M.Map, Targets, Possible, Why);
-      if not Possible then
-         Missions.Requests.Place.Release;
-         Monitor.Outbox.Answer (M.Order, Monitor.Protocol.Not_Done);
-         Monitor.Outbox.Put
-           (Monitor.Mailboxes.Told (Monitor.Notices.Notice_Of (Why)));
-         return;
-      end if;
-      Monitor.Outbox.Answer (M.Order, Monitor.Protocol.Acknowledged);
-      Missions.Runs.Start
-        (M.Run, Size, Targets, Wanted.Count, Missions.Grounds.Lead);
-      Journal.Put (Options.Info, "mission begins");
-      Vision.State.Store.Watch (True);
-      Drive (M);
-      Vision.State.Store.Watch (False);
-      Missions.Requests.Place.Release;
-      Monitor.Outbox.Put
-        ((Kind   => Monitor.Mailboxes.Ending,
-          Line   => Monitor.Notices.End_Line
-             (Ended_By (M.Run), Measured (M.Run)),
-          Number => M.Order.Number,
-          others => <>));
-      Journal.Put
-        (Options.Info,
-         "mission ended: "
-         & Monitor.Notices.Text_Of (Ended_By (M.Run), Measured (M.Run)));
-   end Carry_Out;
 
    procedure Tell_Progress (M : Mission; Now : Time; Last : in out Report) is
       --  At each new leg, and once a second
@@ -124,7 +62,12 @@ package body Mission_Tasks with SPARK_Mode is
       end if;
    end Tell_Progress;
 
-   procedure Drive (M : in out Mission) is
+   procedure Drive (M : in out Mission)
+   with
+     Pre  => not M.Order.Owed and then Missions.Arenas.Is_Usable (M.Map),
+     Post => not M.Order.Owed and then Has_Ended (M.Run)
+   is
+      --  Until the mission has ended
       Base     : constant Time := M.Begun.Now;
       Ground   : Missions.Grounds.Ground;
       Told     : Report;
@@ -159,7 +102,7 @@ package body Mission_Tasks with SPARK_Mode is
             loop
                pragma Loop_Invariant
                  (not M.Order.Owed and then Missions.Arenas.Is_Usable (M.Map));
-               Robot.Users.Mission.Wait_In_Job (Trace.Line);
+               Robot.Line.Mission.Wait_In_Job (Trace.Line);
                Robot.Service.Serve (Schedule.Th_Mission, Result, Was_Turn);
                exit when Was_Turn;
             end loop;
@@ -172,6 +115,61 @@ package body Mission_Tasks with SPARK_Mode is
            (Missions.Grounds.Next_Time (Base, Ground.Now, Due));
       end loop;
    end Drive;
+
+   procedure Carry_Out (M : in out Mission; Wanted : Path)
+   with
+     Pre  => M.Order.Owed,
+     Post => not M.Order.Owed
+   is
+      --  Answers the order, and drives to Wanted where that is possible.
+      --  Before the monitor learns of a refusal or of the end, there is room
+      --  for the next mission
+      Size     : constant Arena_Size :=
+        Command_Lines.Given.Chosen.Arena_Size;
+      Outbox   : Monitor.Mailboxes.Status;
+      Is_Over  : Boolean;
+      Ignored  : Boolean;
+      Targets  : Place_Array;
+      Possible : Boolean;
+      Why      : Refusal;
+   begin
+      Monitor.Outbox.Get (Outbox);
+      Robot.Line.Get_Rights (M.Order.Number, Is_Over, Ignored);
+      if Outbox.End_Waits or else Is_Over or else Wanted.Count = 0 then
+         --  a later session is not told why
+         Missions.Requests.Place.Release;
+         Monitor.Outbox.Answer (M.Order, Monitor.Protocol.Refused);
+         return;
+      end if;
+      Get_Ground (M.Begun);
+      Missions.Grounds.Check
+        (M.Begun, Wanted, Size, M.Map, Targets, Possible, Why);
+      if not Possible then
+         Missions.Requests.Place.Release;
+         Monitor.Outbox.Answer (M.Order, Monitor.Protocol.Not_Done);
+         Monitor.Outbox.Put
+           (Monitor.Mailboxes.Told (Monitor.Notices.Text_Of (Why)));
+         return;
+      end if;
+      Monitor.Outbox.Answer (M.Order, Monitor.Protocol.Acknowledged);
+      Missions.Runs.Start
+        (M.Run, Size, Targets, Wanted.Count, Missions.Grounds.Lead);
+      Journal.Put (Options.Info, "mission begins");
+      Vision.State.Store.Watch (True);
+      Drive (M);
+      Vision.State.Store.Watch (False);
+      Missions.Requests.Place.Release;
+      Monitor.Outbox.Put
+        ((Kind   => Monitor.Mailboxes.Ending,
+          Line   => Monitor.Notices.End_Line
+             (Ended_By (M.Run), Measured (M.Run)),
+          Number => M.Order.Number,
+          others => <>));
+      Journal.Put
+        (Options.Info,
+         "mission ended: "
+         & Monitor.Notices.Text_Of (Ended_By (M.Run), Measured (M.Run)));
+   end Carry_Out;
 
    task body Th_Mission is
       Current : Mission;

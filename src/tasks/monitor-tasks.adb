@@ -4,6 +4,7 @@ with Ada.Real_Time;    use Ada.Real_Time;
 with Admission;
 with Admission.Newcomers;
 with Admission.Secret_Files;
+with Command_Lines;
 with Commands; use Commands;
 with Console;
 with Journal;
@@ -11,18 +12,14 @@ with Missions.Requests;
 with Monitor.Link;
 with Monitor.Mailboxes;
 with Monitor.Outbox;
-with Monitor.Paths;
 with Monitor.Protocol; use Monitor.Protocol;
 with Monitor.Session;
 with Monitor.Sockets.Connection;
-with Monitor.Sockets.Gate;
 with Options;
 with Process.Threads;
 with Robot.Line;
 with Robot.Requests;
 with Robot.Service;
-with Robot.Users;
-with Settings;
 with Texts;
 with Trace;
 with Vision.Frames;
@@ -36,7 +33,7 @@ package body Monitor.Tasks with SPARK_Mode is
 
    procedure Start_Server (Gate : out Admission.Newcomers.Gate) is
       --  Listens, or says why it cannot and ends the process (F1)
-      Chosen  : Options.Values renames Settings.Command_Line.Chosen;
+      Chosen  : Options.Values renames Command_Lines.Given.Chosen;
       Token   : Admission.Token;
       Bound   : Options.Port_Number;
       Success : Boolean;
@@ -93,7 +90,7 @@ package body Monitor.Tasks with SPARK_Mode is
       Valid : Boolean;
    begin
       if Has_Data (Line) then
-         Monitor.Paths.Parse
+         Monitor.Protocol.Parse
            (Line, Line'First + Text_Offset, Measure (Name),
             Most_Points (Name), Path, Valid);
          if Valid then
@@ -114,7 +111,7 @@ package body Monitor.Tasks with SPARK_Mode is
    begin
       Texts.Set (Text, What);
       Admission.Append_Shown (Text, Line);
-      Journal.Put (Level, Text);
+      Journal.Put (Level, Texts.Image (Text));
    end Log;
 
    procedure Handle
@@ -129,11 +126,11 @@ package body Monitor.Tasks with SPARK_Mode is
    is
       --  One line of the monitor: its message becomes Order, which is answered
       --  here or goes to its task. Not Open: the session has ended
-      Kept : Boolean;
    begin
       Parse (Line, Order.Command);
-      Journal.Get_Kept (Options.Debug, Kept);
-      if Kept and then Order.Command.Name /= Sign_Of_Life then
+      if Journal.Is_Kept (Options.Debug)
+        and then Order.Command.Name /= Sign_Of_Life
+      then
          Log (Options.Debug, "received ", Line);
       end if;
       Monitor.Outbox.Reserve (Order);
@@ -178,7 +175,7 @@ package body Monitor.Tasks with SPARK_Mode is
          Reader := (others => <>);
          --  the right token was a line of this protocol
          Begun :=
-           (if Settings.Command_Line.Chosen.Token_File.Length > 0 then Known
+           (if Command_Lines.Given.Chosen.Token_File.Length > 0 then Known
             else Undecided);
          loop
             pragma Loop_Invariant (not Order.Owed);
@@ -239,7 +236,7 @@ package body Monitor.Tasks with SPARK_Mode is
 
    task body Th_Send_To_Mon is
       Between   : Monitor.Mailboxes.Milliseconds renames
-        Settings.Command_Line.Chosen.Message_Gap;
+        Command_Lines.Given.Chosen.Message_Gap;
       Last_Sent : Time := Time_First;
       Next_Look : Time;
       Now       : Time;
@@ -277,7 +274,7 @@ package body Monitor.Tasks with SPARK_Mode is
    is
       --  Until the monitor in command is lost
       Seconds  : constant Options.Silence_Seconds :=
-        Settings.Command_Line.Chosen.Silence;
+        Command_Lines.Given.Chosen.Silence;
       Patience : constant Monitor.Link.Milliseconds :=
         (if Seconds = 0 then Monitor.Link.Milliseconds'Last
          else Monitor.Link.Milliseconds (1_000 * Seconds));
@@ -297,7 +294,7 @@ package body Monitor.Tasks with SPARK_Mode is
             & "vanishes, or takes nothing, for ");
          Monitor.Link.Append_Seconds (Line, Monitor.Link.Vanished_After);
          Texts.Append (Line, "; signs of life are not watched");
-         Journal.Put (Options.Warning, Line);
+         Journal.Put (Options.Warning, Texts.Image (Line));
       end if;
       Link := Monitor.Link.Started (Sample.Now);
       loop
@@ -332,7 +329,7 @@ package body Monitor.Tasks with SPARK_Mode is
         (Robot.Requests.Safe_State,
          (Kind => Commands.Close_Line, others => <>), (others => <>));
       loop
-         Robot.Users.Monitor_Lost.Wait_In_Job (Trace.Line);
+         Robot.Line.Monitor_Lost.Wait_In_Job (Trace.Line);
          Robot.Service.Serve (Schedule.Th_Com_Mon_Perdue, Ignored, Stopped);
          exit when Stopped;
       end loop;
@@ -368,13 +365,13 @@ package body Monitor.Tasks with SPARK_Mode is
          Monitor.Session.State.Go_On (Monitor.Session.Closing);
          Texts.Set (Line, "monitor lost: ");
          Monitor.Link.Append (Line, Why);
-         Journal.Put (Options.Warning, Line);
+         Journal.Put (Options.Warning, Texts.Image (Line));
          Bring_Back;
          Monitor.Sockets.Connection.Close;
          Journal.Put
            (Options.Info, "session closed, ready for a new monitor");
          Monitor.Session.State.Go_On (Monitor.Session.Free);
-         Monitor.Sockets.Gate.Wake_Server;
+         Admission.Newcomers.Wake_Server;
       end loop;
    end Th_Com_Mon_Perdue;
 

@@ -12,7 +12,6 @@ with Robot.Line_Status;
 with Robot.Requests;
 with Robot.Serial_Line;
 with Robot.Session;
-with Robot.Users;
 
 package body Robot.Service with SPARK_Mode is
 
@@ -34,8 +33,7 @@ package body Robot.Service with SPARK_Mode is
                "watchdog reload outside its window: the robot runs on");
          when Commands.Not_Running =>
             Journal.Put
-              (Options.Warning,
-               Monitor.Notices.Text_Of (Monitor.Notices.Robot_Not_Running));
+              (Options.Warning, Monitor.Notices.Robot_Not_Running);
             Monitor.Outbox.Put
               (Monitor.Mailboxes.Told (Monitor.Notices.Robot_Not_Running));
          when Commands.Robot_Lost =>
@@ -44,8 +42,7 @@ package body Robot.Service with SPARK_Mode is
               (Options.Warning,
                (if Gone then
                    "robot lost: the device of its line has gone"
-                elsif Empty then
-                   Monitor.Notices.Text_Of (Monitor.Notices.Robot_Lost_Empty)
+                elsif Empty then Monitor.Notices.Robot_Lost_Empty
                 else "robot lost: four failures in a row, its line is "
                   & "closed"));
             Monitor.Outbox.Put
@@ -62,8 +59,8 @@ package body Robot.Service with SPARK_Mode is
    procedure Tell_Of_Start (Mode : Robot.Session.Mode_Kind) is
       --  The robot has begun to run: the periodic tasks look when they are due
    begin
-      Robot.Users.Battery.Set;
-      Robot.Users.Open_Com.Set;
+      Robot.Line.Battery.Set;
+      Robot.Line.Open_Com.Set;
       Journal.Put
         (Options.Info,
          (if Mode = Robot.Session.Started_With_Watchdog

@@ -5,7 +5,6 @@ with Process.Threads;
 with Robot.Line;
 with Robot.Requests;
 with Robot.Service;
-with Robot.Users;
 
 package body Robot.Tasks with SPARK_Mode is
 
@@ -15,7 +14,7 @@ package body Robot.Tasks with SPARK_Mode is
    begin
       Process.Threads.Name_Task (Schedule.Th_Open_Com_Robot);
       loop
-         Robot.Users.Open_Com.Wait_Until (Next, Was_Set);
+         Robot.Line.Open_Com.Wait_Until (Next, Was_Set);
          if Was_Set then
             Robot.Service.Serve (Schedule.Th_Open_Com_Robot);
          end if;
@@ -27,7 +26,7 @@ package body Robot.Tasks with SPARK_Mode is
    begin
       Process.Threads.Name_Task (Schedule.Th_Start_Robot);
       loop
-         Robot.Users.Start.Wait;
+         Robot.Line.Start.Wait;
          Robot.Service.Serve (Schedule.Th_Start_Robot);
       end loop;
    end Th_Start_Robot;
@@ -38,7 +37,7 @@ package body Robot.Tasks with SPARK_Mode is
    begin
       Process.Threads.Name_Task (Schedule.Th_Start_Robot_WD);
       loop
-         Robot.Users.Start_WD.Wait_Until (Next, Was_Set);
+         Robot.Line.Start_WD.Wait_Until (Next, Was_Set);
          if Was_Set then
             Robot.Service.Serve (Schedule.Th_Start_Robot_WD);
          end if;
@@ -50,7 +49,7 @@ package body Robot.Tasks with SPARK_Mode is
    begin
       Process.Threads.Name_Task (Schedule.Th_Reset_Robot);
       loop
-         Robot.Users.Reset.Wait;
+         Robot.Line.Reset.Wait;
          Robot.Service.Serve (Schedule.Th_Reset_Robot);
       end loop;
    end Th_Reset_Robot;
@@ -59,7 +58,7 @@ package body Robot.Tasks with SPARK_Mode is
    begin
       Process.Threads.Name_Task (Schedule.Th_Move);
       loop
-         Robot.Users.Move.Wait;
+         Robot.Line.Move.Wait;
          Robot.Service.Serve (Schedule.Th_Move);
       end loop;
    end Th_Move;
@@ -70,7 +69,7 @@ package body Robot.Tasks with SPARK_Mode is
    begin
       Process.Threads.Name_Task (Schedule.Th_Battery_Level);
       loop
-         Robot.Users.Battery.Wait_Until (Next, Was_Set);
+         Robot.Line.Battery.Wait_Until (Next, Was_Set);
          if Was_Set then
             Robot.Service.Serve (Schedule.Th_Battery_Level);
          end if;

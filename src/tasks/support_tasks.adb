@@ -21,38 +21,22 @@ package body Support_Tasks with SPARK_Mode is
    use type Monitor.Session.Stage_Kind;
    use type Process.Signals.Kind;
 
-   function Level_Name (Level : Options.Level) return String is
-     (case Level is
-         when Options.Error   => "error",
-         when Options.Warning => "warning",
-         when Options.Info    => "info",
-         when Options.Debug   => "debug");
-
-   procedure Write (Item : Journal.Line) is
-      --  Writes a line of the log: "[seconds.milliseconds] level: text"
-      Text : Texts.Text;
-      Rest : constant Natural := Item.Time.Thousandths;
-   begin
-      Texts.Set (Text, "[");
-      Texts.Append (Text, Item.Time.Seconds);
-      Texts.Append (Text, ".");
-      Texts.Append (Text, Rest / 100);
-      Texts.Append (Text, Rest / 10 mod 10);
-      Texts.Append (Text, Rest mod 10);
-      Texts.Append (Text, "] ");
-      Texts.Append (Text, Level_Name (Item.Level));
-      Texts.Append (Text, ": ");
-      Texts.Append (Text, Item.Text (1 .. Item.Length));
-      Console.Put_Log (Text.Data (1 .. Text.Length));
-   end Write;
-
    task body Th_Console is
       Item : Journal.Line;
+      Text : Texts.Text;
    begin
       Process.Threads.Name_Task (Schedule.Th_Console);
       loop
          Journal.Take (Item);
-         Write (Item);
+         --  "[seconds.milliseconds] level: text"
+         Texts.Set (Text, "[");
+         Trace.Append_Time
+           (Text, Item.At_Time, Step => 1_000_000, Width => 3);
+         Texts.Append (Text, "] ");
+         Texts.Append (Text, Options.Name_Of (Item.Level));
+         Texts.Append (Text, ": ");
+         Texts.Append (Text, Item.Text (1 .. Item.Length));
+         Console.Put_Log (Text.Data (1 .. Text.Length));
       end loop;
    end Th_Console;
 
@@ -76,10 +60,11 @@ package body Support_Tasks with SPARK_Mode is
       end loop;
    end Wait_Session_End;
 
-   procedure Wait_Console (Limit : Time) is
-      --  Waits until the log has been written, Limit at most
+   procedure Wait_Console is
+      --  Waits until the log has been written, Console_Limit at most
       Waiting : Natural;
-      Now     : Time;
+      Now     : Time := Clock;
+      Limit   : constant Time := Now + Schedule.Console_Limit;
    begin
       loop
          Journal.Get_Waiting (Waiting);
@@ -90,19 +75,26 @@ package body Support_Tasks with SPARK_Mode is
       end loop;
    end Wait_Console;
 
-   procedure Finish_Trace is
-      Whole  : Boolean;
-      Reason : Texts.Text;
-      Line   : Texts.Text;
-      Now    : Time;
+   procedure React (Line : String; Of_Stop : Boolean) is
    begin
-      Trace.Finish (Whole, Reason);
-      if not Whole then
-         Texts.Set (Line, "the trace is not complete: ");
-         Texts.Append (Line, Texts.Image (Reason));
-         Journal.Put (Options.Error, Line);
-         Now := Clock;
-         Wait_Console (Now + Schedule.Console_Limit);
+      Journal.Put (Options.Error, Line);
+      if Of_Stop then
+         Robot.Serial_Line.Stop_Blindly;
+         Stop_Failed.Set;
+      else
+         Process.Signals.Report_Failure;
+      end if;
+   end React;
+
+   procedure Finish_Trace is
+      Reason : Texts.Text;
+   begin
+      Trace.Finish (Reason);
+      if Reason.Length > 0 then
+         Journal.Put
+           (Options.Error,
+            "the trace is not complete: " & Texts.Image (Reason));
+         Wait_Console;
       end if;
    end Finish_Trace;
 
@@ -136,8 +128,7 @@ package body Support_Tasks with SPARK_Mode is
            (Options.Info,
             (if Kind = Process.Signals.Failure then "stopped after a failure"
              else "stopped"));
-         Now := Clock;
-         Wait_Console (Now + Schedule.Console_Limit);
+         Wait_Console;
          Finish_Trace;
          Process.Leave
            (if Kind = Process.Signals.Failure then Process.Internal_Failure

@@ -2,16 +2,15 @@
 
 with Ada.Real_Time;    use Ada.Real_Time;
 with Base64;
+with Command_Lines;
 with Commands;        use Commands;
 with Journal;
-with Missions.Guards;
+with Missions.Driving;
 with Monitor.Mailboxes;
-with Monitor.Notices;
-with Monitor.Positions; use Monitor.Positions;
+with Monitor.Notices; use Monitor.Notices;
 with Monitor.Protocol; use Monitor.Protocol;
 with Options;
 with Process.Threads;
-with Settings;
 with Texts;
 with Vision.Following;
 with Vision.Frames;
@@ -29,7 +28,7 @@ package body Vision.Tasks with SPARK_Mode is
    use type Vision.Library.Status;
 
    Target_Margin : constant Natural :=
-     Natural (Missions.Guards.Target_Margin) / 10_000;
+     Natural (Missions.Driving.Target_Margin) / 10_000;
    --  Centimetres
 
    procedure Check (Result : Vision.Library.Status; What : String) is
@@ -42,7 +41,7 @@ package body Vision.Tasks with SPARK_Mode is
          Vision.Library.Reason (Reason, Last);
          Texts.Set (Line, What);
          Texts.Append (Line, Reason (1 .. Last));
-         Journal.Put (Options.Warning, Line);
+         Journal.Put (Options.Warning, Texts.Image (Line));
       end if;
    end Check;
 
@@ -136,7 +135,9 @@ package body Vision.Tasks with SPARK_Mode is
         ((Vision.Image_Grid.Elapsed (First, Last) + 999) / 1_000));
    --  Rounded up; the longest there is where it is longer
 
-   procedure Camera_Failed (Why : Monitor.Notices.Notice) is
+   procedure Camera_Failed (Why : String)
+   with Pre => Why'Length in 1 .. 80
+   is
       --  The camera delivers no more: say so, and close it (once)
       Was_Open : Boolean;
    begin
@@ -144,7 +145,7 @@ package body Vision.Tasks with SPARK_Mode is
       if Was_Open then
          Monitor.Outbox.Stop_Images;
          Vision.Frames.End_Delivery;
-         Journal.Put (Options.Error, Monitor.Notices.Text_Of (Why));
+         Journal.Put (Options.Error, Why);
          Monitor.Outbox.Put (Monitor.Mailboxes.Told (Why));
       end if;
    end Camera_Failed;
@@ -178,7 +179,7 @@ package body Vision.Tasks with SPARK_Mode is
    end Th_Camera_Control;
 
    task body Th_Capture_Img is
-      Chosen   : Options.Values renames Settings.Command_Line.Chosen;
+      Chosen   : Options.Values renames Command_Lines.Given.Chosen;
       Period   : constant Vision.Image_Grid.Period_Time :=
         1_000_000 / Vision.Image_Grid.Microseconds (Chosen.Frame_Rate);
       Grid     : Vision.Image_Grid.State;
@@ -300,7 +301,7 @@ package body Vision.Tasks with SPARK_Mode is
 
    task body Th_Arene is
       Order  : Commands.Order;
-      Chosen : Options.Values renames Settings.Command_Line.Chosen;
+      Chosen : Options.Values renames Command_Lines.Given.Chosen;
       Valid  : Boolean;
       Slot   : Vision.Slot;
       Found  : Boolean;
@@ -370,7 +371,7 @@ package body Vision.Tasks with SPARK_Mode is
    end Th_Arene;
 
    task body Th_Camera is
-      Chosen : Options.Values renames Settings.Command_Line.Chosen;
+      Chosen : Options.Values renames Command_Lines.Given.Chosen;
       Number : Commands.Ticket;
       Wanted : Boolean;
       Result : Vision.Library.Status;
@@ -406,7 +407,7 @@ package body Vision.Tasks with SPARK_Mode is
                exit when not Wanted;
                if Result /= Vision.Library.Done then
                   Check (Result, "no image from the camera: ");
-                  Camera_Failed (Monitor.Notices.Camera_Ended);
+                  Camera_Failed (Monitor.Notices.Camera_Stopped);
                   exit;
                end if;
             end loop;

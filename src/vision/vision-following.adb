@@ -5,7 +5,7 @@ package body Vision.Following with SPARK_Mode is
    procedure Begin_Anew
      (S : out State; Robots : Robot_Array; Found : Robot_Count) is
    begin
-      S := (Robots => Robots, Number => Found, Age => 0);
+      S := (Robots, Found, Age => 0);
    end Begin_Anew;
 
    procedure Forget (S : out State) is
@@ -14,10 +14,8 @@ package body Vision.Following with SPARK_Mode is
    end Forget;
 
    function Length (Item : Robot) return Distance is
-      X : constant Micro_Pixels'Base :=
-        abs (Item.Direction.X - Item.Centre.X);
-      Y : constant Micro_Pixels'Base :=
-        abs (Item.Direction.Y - Item.Centre.Y);
+      X : constant Micro_Pixels'Base := abs (Item.Direction.X - Item.Centre.X);
+      Y : constant Micro_Pixels'Base := abs (Item.Direction.Y - Item.Centre.Y);
    begin
       return Micro_Pixels'Base'Min
         (Furthest,
@@ -32,14 +30,14 @@ package body Vision.Following with SPARK_Mode is
       Number : out Robot_Count) is
    begin
       Areas := (others => <>);
-      Number := (if May_Follow (S, Gap) then S.Number else 0);
+      Number := (if May_Follow (S, Gap) then S.Count else 0);
       for K in 1 .. Number loop
          Areas (K) :=
            (S.Robots (K).Centre, Reach (S.Robots (K), Marker, Gap));
          pragma Loop_Invariant
            (for all L in 1 .. K =>
-              Areas (L) = (Place (S, L).Centre,
-                           Reach (Place (S, L), Marker, Gap)));
+              Areas (L) = (S.Robots (L).Centre,
+                           Reach (S.Robots (L), Marker, Gap)));
       end loop;
    end Plan;
 
@@ -52,9 +50,9 @@ package body Vision.Following with SPARK_Mode is
    begin
       Done := Has_All (S, Robots, Found);
       if Done then
-         S := (Robots => Robots, Number => Found, Age => S.Age + Gap);
+         S := (Robots, Found, S.Age + Gap);
       else
-         S.Number := 0;
+         S.Count := 0;
       end if;
    end Settle;
 

@@ -13,7 +13,7 @@ package Vision.Following with SPARK_Mode is
 
    Interval : constant Milliseconds := 3_000;
    --  Between two searches of the whole image. A new robot is noticed by the
-   --  change in the image (vision_follow_robots of vision_c); this is for a
+   --  change in the image (vision_find_robots of vision_c); this is for a
    --  robot that was present but not recognised
 
    Longest_Gap : constant Milliseconds := 500;
@@ -58,30 +58,26 @@ package Vision.Following with SPARK_Mode is
    with Pre => Gap <= Longest_Gap;
    --  How far from its last place any part of the robot can be after Gap
 
-   type State is private;
-   --  Initially nothing is known
-
-   function Count (S : State) return Robot_Count;
-   --  Number of robots with known places
-
-   function Place (S : State; K : Positive) return Robot
-   with Pre => K <= Count (S);
-
-   function Age (S : State) return Milliseconds;
-   --  Time since the last search of the whole image
+   type State is record
+      Robots : Robot_Array;
+      Count  : Robot_Count := 0;
+      Age    : Milliseconds range 0 .. Interval := 0;
+      --  time since the last search of the whole image
+   end record;
+   --  The places of Robots (1 .. Count) are known: initially none
 
    function May_Follow (S : State; Gap : Milliseconds) return Boolean is
-     (Count (S) > 0
-      and then Gap <= Longest_Gap and then Gap <= Interval - Age (S));
+     (S.Count > 0
+      and then Gap <= Longest_Gap and then Gap <= Interval - S.Age);
    --  Whether an image that arrives Gap after the last one is searched in
    --  areas only
 
    function Has_All
      (S : State; Robots : Robot_Array; Found : Robot_Count) return Boolean
-   is (Found >= Count (S)
+   is (Found >= S.Count
        and then
-         (for all K in 1 .. Count (S) =>
-            (for some L in 1 .. Found => Robots (L).Id = Place (S, K).Id)));
+         (for all K in 1 .. S.Count =>
+            (for some L in 1 .. Found => Robots (L).Id = S.Robots (K).Id)));
    --  Robots (1 .. Found) are the known ones, and perhaps more
 
    --  For each image: Plan, then Settle after a search of areas, or Begin_Anew
@@ -94,11 +90,11 @@ package Vision.Following with SPARK_Mode is
       Areas  : out Area_Array;
       Number : out Robot_Count)
    with
-     Post => Number = (if May_Follow (S, Gap) then Count (S) else 0)
+     Post => Number = (if May_Follow (S, Gap) then S.Count else 0)
        and then
          (for all K in 1 .. Number =>
-            Areas (K) = (Place (S, K).Centre,
-                         Reach (Place (S, K), Marker, Gap)));
+            Areas (K) = (S.Robots (K).Centre,
+                         Reach (S.Robots (K), Marker, Gap)));
    --  Search in Areas (1 .. Number), or in the whole image if there are none
 
    procedure Settle
@@ -110,24 +106,15 @@ package Vision.Following with SPARK_Mode is
    with
      Pre  => May_Follow (S, Gap),
      Post => Done = Has_All (S'Old, Robots, Found)
-       and then
-         (if Done then
-             Age (S) = Age (S'Old) + Gap
-             and then Count (S) = Found
-             and then (for all K in 1 .. Found => Place (S, K) = Robots (K))
-          else Count (S) = 0);
+       and then (if Done then S = (Robots, Found, S.Age'Old + Gap)
+                 else S.Count = 0);
    --  The result of a search of areas. Not Done: a robot was not found
 
    procedure Begin_Anew
-     (S : out State; Robots : Robot_Array; Found : Robot_Count)
-   with
-     Post => Age (S) = 0
-       and then Count (S) = Found
-       and then (for all K in 1 .. Found => Place (S, K) = Robots (K));
+     (S : out State; Robots : Robot_Array; Found : Robot_Count);
    --  The result of a search of the whole image
 
-   procedure Forget (S : out State)
-   with Post => Count (S) = 0;
+   procedure Forget (S : out State);
 
    --  What a mission wants of a search: the robot, if there is exactly one
 
@@ -152,19 +139,5 @@ package Vision.Following with SPARK_Mode is
         Robot  => Robots (1)));
    --  The image that came at Came has been searched: it has Robots (1 ..
    --  Count)
-
-private
-
-   type State is record
-      Robots : Robot_Array;
-      Number : Robot_Count := 0;
-      Age    : Milliseconds range 0 .. Interval := 0;
-   end record;
-
-   function Count (S : State) return Robot_Count is (S.Number);
-
-   function Place (S : State; K : Positive) return Robot is (S.Robots (K));
-
-   function Age (S : State) return Milliseconds is (S.Age);
 
 end Vision.Following;

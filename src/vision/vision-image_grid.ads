@@ -38,9 +38,6 @@ package Vision.Image_Grid with SPARK_Mode is
      (Period / 5);
    --  An image that has waited this long could have been sent earlier
 
-   Enough_Early : constant := 12;
-   --  So many early images in a row are no coincidence
-
    function Most_Made_Up (Period : Period_Time) return Microseconds is
      (Period / 10);
    --  Per step
@@ -59,33 +56,31 @@ package Vision.Image_Grid with SPARK_Mode is
    --  source that is more than twice as fast as the grid, the next image comes
    --  in time, and the newest is sent
 
-   type State is private;
+   Enough_Early : constant := 12;
+   --  So many early images in a row are no coincidence
 
-   Initial : constant State;
-   --  No image has been sent, no delay
+   subtype Early_Count is Natural range 0 .. Enough_Early;
 
-   function Has_Begun (S : State) return Boolean;
-   --  An image has been sent
+   type State is record
+      Begun : Boolean      := False;
+      --  an image has been sent
+      Lost  : Microseconds := 0;
+      --  delay of the grid that has not been made up
+      Early : Early_Count  := 0;
+      --  images in a row that could have been sent earlier
+   end record;
 
-   function Lost (S : State) return Microseconds;
-   --  Delay of the grid that has not been made up
+   Initial : constant State := (others => <>);
 
    function Most_Lost (Period : Period_Time) return Microseconds is
      (Period / 2);
    --  A pause of the source must not make many images early afterwards
 
-   function Early_Images (S : State) return Natural;
-   --  Images in a row that could have been sent earlier
-
    procedure Wait_Ended
      (S : in out State; Late : Microseconds; Period : Period_Time)
    with
-     Post => Lost (S) =
-       (if Has_Begun (S'Old)
-        then Microseconds'Min (Most_Lost (Period), Lost (S'Old) + Late)
-        else Lost (S'Old))
-       and then Has_Begun (S) = Has_Begun (S'Old)
-       and then Early_Images (S) = 0;
+     Post => S.Lost <= S.Lost'Old + Late
+       and then S.Lost <= Microseconds'Max (S.Lost'Old, Most_Lost (Period));
    --  No image waited at an instant of the grid: one came Late after it. The
    --  wait for the first image is no delay
 
@@ -96,35 +91,9 @@ package Vision.Image_Grid with SPARK_Mode is
       Period      : Period_Time;
       Length      : out Microseconds)
    with
-     Post => Has_Begun (S)
-       and then Length in Shortest (Period) .. Period
-       and then Lost (S) = Lost (S'Old) - (Period - Length)
-       and then
-         (if Age < Early (Period) then Early_Images (S) = 0
-          else Early_Images (S) =
-            Natural'Min (Enough_Early, Early_Images (S'Old) + 1))
-       and then
-         (if not Has_Reserve and then Early_Images (S) < Enough_Early
-          then Length = Period);
+     Post => Length in Shortest (Period) .. Period
+       and then S.Lost = S.Lost'Old - (Period - Length);
    --  An image of this Age is sent; Has_Reserve: a newer one waits. The next
    --  instant is Length after this one
-
-private
-
-   subtype Early_Count is Natural range 0 .. Enough_Early;
-
-   type State is record
-      Begun : Boolean      := False;
-      Lost  : Microseconds := 0;
-      Early : Early_Count  := 0;
-   end record;
-
-   Initial : constant State := (others => <>);
-
-   function Has_Begun (S : State) return Boolean is (S.Begun);
-
-   function Lost (S : State) return Microseconds is (S.Lost);
-
-   function Early_Images (S : State) return Natural is (S.Early);
 
 end Vision.Image_Grid;

@@ -28,18 +28,10 @@ is
       Arena        : Address;
       Robots       : in out C_Robots;
       Capacity     : int;
-      Count        : out int) return int
+      Count        : out int;
+      Areas        : Address;
+      Area_Count   : int) return int
    with Import, Convention => C, External_Name => "vision_find_robots";
-
-   function C_Follow_Robots
-     (Slot, Marker : int;
-      Arena        : Address;
-      Areas        : C_Areas;
-      Area_Count   : int;
-      Robots       : in out C_Robots;
-      Capacity     : int;
-      Count        : out int) return int
-   with Import, Convention => C, External_Name => "vision_follow_robots";
 
    function C_Draw_Arena (Slot : int; Arena : C_Arena) return int
    with Import, Convention => C, External_Name => "vision_draw_arena";
@@ -82,14 +74,14 @@ is
       (if R.Angle'Valid then R.Angle else double'Last));
 
    procedure Open
-     (Name : char_array; Width, Height, Fps : int; Code : out int) is
+     (Name : char_array; Width, Height, Fps : int; Result : out Status) is
    begin
-      Code := C_Open (Name, Width, Height, Fps);
+      Result := To_Status (C_Open (Name, Width, Height, Fps));
    end Open;
 
-   procedure Grab (Into : int; Code : out int) is
+   procedure Grab (Into : int; Result : out Status) is
    begin
-      Code := C_Grab (Into);
+      Result := To_Status (C_Grab (Into));
    end Grab;
 
    procedure Get_Format (Text : out Reason_Text; Last : out Natural) is
@@ -100,9 +92,9 @@ is
    procedure Close renames C_Close;
 
    procedure Find_Arena
-     (In_Slot : int; Arena : in out C_Arena; Code : out int) is
+     (In_Slot : int; Arena : in out C_Arena; Result : out Status) is
    begin
-      Code := C_Find_Arena (In_Slot, Arena);
+      Result := To_Status (C_Find_Arena (In_Slot, Arena));
       for P of Arena loop
          P := Numbers (P);
       end loop;
@@ -115,44 +107,47 @@ is
       Areas           : C_Areas;
       Number          : int;
       Robots          : in out C_Robots;
-      Count, Code     : out int)
+      Count           : out int;
+      Result          : out Status)
    is
       Inside : constant Address :=
         (if Use_Arena then Arena'Address else Null_Address);
+      Near   : constant Address :=
+        (if Number > 0 then Areas'Address else Null_Address);
    begin
-      Code :=
-        (if Number = 0 then C_Find_Robots
-           (In_Slot, Marker, Inside, Robots, Robots'Length, Count)
-         else C_Follow_Robots
-           (In_Slot, Marker, Inside, Areas, Number, Robots, Robots'Length,
-            Count));
+      Result := To_Status
+        (C_Find_Robots (In_Slot, Marker, Inside, Robots, Robots'Length, Count,
+                        Near, Number));
       for R of Robots loop
          R := Numbers (R);
       end loop;
    end Find_Robots;
 
-   procedure Draw_Arena (In_Slot : int; Arena : C_Arena; Code : out int) is
+   procedure Draw_Arena
+     (In_Slot : int; Arena : C_Arena; Result : out Status) is
    begin
-      Code := C_Draw_Arena (In_Slot, Arena);
+      Result := To_Status (C_Draw_Arena (In_Slot, Arena));
    end Draw_Arena;
 
-   procedure Draw_Robot (In_Slot : int; Item : C_Robot; Code : out int) is
+   procedure Draw_Robot
+     (In_Slot : int; Item : C_Robot; Result : out Status) is
    begin
-      Code := C_Draw_Robot (In_Slot, Item);
+      Result := To_Status (C_Draw_Robot (In_Slot, Item));
    end Draw_Robot;
 
    procedure Encode
      (From, Quality : int;
       Buffer        : in out Bytes.Byte_Array;
       Length        : out int;
-      Code          : out int) is
+      Result        : out Status) is
    begin
-      Code := C_Encode (From, Quality, Buffer'Address, Buffer'Length, Length);
+      Result := To_Status
+        (C_Encode (From, Quality, Buffer'Address, Buffer'Length, Length));
    end Encode;
 
-   procedure Print_Markers (First, Size : int; Code : out int) is
+   procedure Print_Markers (First, Size : int; Result : out Status) is
    begin
-      Code := C_Print_Markers (1, First, Size);
+      Result := To_Status (C_Print_Markers (1, First, Size));
    end Print_Markers;
 
    procedure Get_Reason (Text : out Reason_Text; Last : out Natural) is

@@ -18,15 +18,18 @@ private package Vision.Library.Calls with
   Initializes => (Source, Slots, Notes)
 is
 
-   --  Code is the vision_status, or whatever else was returned
+   function To_Status (Code : int) return Status is
+     (if Code in 0 .. Status'Pos (Status'Last) then Status'Val (Code)
+      else Failed);
+   --  The literals of Status are in the order of vision_status
 
    procedure Open
-     (Name : char_array; Width, Height, Fps : int; Code : out int)
+     (Name : char_array; Width, Height, Fps : int; Result : out Status)
    with
      Global => (In_Out => (Source, Notes)),
      Pre    => Name'Length > 0 and then Name (Name'Last) = nul;
 
-   procedure Grab (Into : int; Code : out int)
+   procedure Grab (Into : int; Result : out Status)
    with Global => (In_Out => (Source, Slots, Notes));
 
    procedure Get_Format (Text : out Reason_Text; Last : out Natural)
@@ -36,7 +39,8 @@ is
    with Convention => C, Global => (In_Out => (Source, Notes));
    --  Its status is always that of success
 
-   procedure Find_Arena (In_Slot : int; Arena : in out C_Arena; Code : out int)
+   procedure Find_Arena
+     (In_Slot : int; Arena : in out C_Arena; Result : out Status)
    with Global => (In_Out => (Slots, Notes));
 
    procedure Find_Robots
@@ -46,26 +50,29 @@ is
       Areas           : C_Areas;
       Number          : int;
       Robots          : in out C_Robots;
-      Count, Code     : out int)
+      Count           : out int;
+      Result          : out Status)
    with
      Global => (In_Out => (Slots, Notes)),
      Pre    => Number in 0 .. Areas'Length;
    --  In the areas only, if there are any
 
-   procedure Draw_Arena (In_Slot : int; Arena : C_Arena; Code : out int)
+   procedure Draw_Arena
+     (In_Slot : int; Arena : C_Arena; Result : out Status)
    with Global => (In_Out => (Slots, Notes));
 
-   procedure Draw_Robot (In_Slot : int; Item : C_Robot; Code : out int)
+   procedure Draw_Robot
+     (In_Slot : int; Item : C_Robot; Result : out Status)
    with Global => (In_Out => (Slots, Notes));
 
    procedure Encode
      (From, Quality : int;
       Buffer        : in out Bytes.Byte_Array;
       Length        : out int;
-      Code          : out int)
+      Result        : out Status)
    with Global => (In_Out => (Slots, Notes));
 
-   procedure Print_Markers (First, Size : int; Code : out int)
+   procedure Print_Markers (First, Size : int; Result : out Status)
    with Global => (In_Out => Notes);
    --  On standard output
 

@@ -12,30 +12,20 @@ package body Vision.Library with
                     Memory => Calls.Notes)
 is
 
-   function To_Status (Code : int) return Status is
-     (if Code in 0 .. Status'Pos (Status'Last) then Status'Val (Code)
-      else Failed);
-   --  The literals of Status are in the order of vision_status
-
    procedure Open
      (Source        : String;
-      Width, Height : Side;
+      Width, Height : Options.Pixel_Count;
       Fps           : Positive;
-      Result        : out Status)
-   is
-      Code : int;
+      Result        : out Status) is
    begin
-      Calls.Open (To_C (Source), int (Width), int (Height), int (Fps), Code);
-      Result := To_Status (Code);
+      Calls.Open (To_C (Source), int (Width), int (Height), int (Fps), Result);
    end Open;
 
    procedure Grab (Into : Slot; Result : out Status) is
-      Code : int;
    begin
       Trace.Put (Trace.Wait, Schedule.Th_Camera, Label => Trace.Camera);
-      Calls.Grab (int (Into), Code);
+      Calls.Grab (int (Into), Result);
       Trace.Put (Trace.Resume, Schedule.Th_Camera);
-      Result := To_Status (Code);
    end Grab;
 
    procedure Get_Format (Text : out Reason_Text; Last : out Natural) is
@@ -52,11 +42,9 @@ is
      (In_Slot : Slot; Arena : out Arena_Corners; Result : out Status)
    is
       Found : C_Arena := (others => <>);
-      Code  : int;
    begin
       Arena := No_Arena;
-      Calls.Find_Arena (int (In_Slot), Found, Code);
-      Result := To_Status (Code);
+      Calls.Find_Arena (int (In_Slot), Found, Result);
       if Result = Done then
          if Is_Sound (Found) then
             Arena := To_Ada (Found);
@@ -80,17 +68,15 @@ is
       Near  : C_Areas := (others => <>);
       Found : C_Robots := (others => <>);
       Total : int;
-      Code  : int;
    begin
       for K in 1 .. Number loop
          Near (K) := To_C (Areas (K));
       end loop;
       Calls.Find_Robots
         (int (In_Slot), Options.Marker_Kind'Pos (Marker),
-         To_C (Arena), Use_Arena, Near, int (Number), Found, Total, Code);
+         To_C (Arena), Use_Arena, Near, int (Number), Found, Total, Result);
       Robots := (others => <>);
       Count := 0;
-      Result := To_Status (Code);
       if Result = Done then
          if Total in 0 .. int (Robot_Count'Last) then
             Take_Robots (Found, Robot_Count (Total), Robots, Count);
@@ -104,36 +90,28 @@ is
    end Find_Robots;
 
    procedure Draw_Arena
-     (In_Slot : Slot; Arena : Arena_Corners; Result : out Status)
-   is
-      Code : int;
+     (In_Slot : Slot; Arena : Arena_Corners; Result : out Status) is
    begin
-      Calls.Draw_Arena (int (In_Slot), To_C (Arena), Code);
-      Result := To_Status (Code);
+      Calls.Draw_Arena (int (In_Slot), To_C (Arena), Result);
    end Draw_Arena;
 
    procedure Draw_Robot
-     (In_Slot : Slot; Item : Robot; Result : out Status)
-   is
-      Code : int;
+     (In_Slot : Slot; Item : Robot; Result : out Status) is
    begin
-      Calls.Draw_Robot (int (In_Slot), To_C (Item), Code);
-      Result := To_Status (Code);
+      Calls.Draw_Robot (int (In_Slot), To_C (Item), Result);
    end Draw_Robot;
 
    procedure Encode
      (From    : Slot;
-      Quality : Percentage;
+      Quality : Options.Percentage;
       Buffer  : in out Bytes.Byte_Array;
       Length  : out Natural;
       Result  : out Status)
    is
       Written : int;
-      Code    : int;
    begin
-      Calls.Encode (int (From), int (Quality), Buffer, Written, Code);
+      Calls.Encode (int (From), int (Quality), Buffer, Written, Result);
       Length := 0;
-      Result := To_Status (Code);
       if Result = Done then
          if Written in 1 .. Buffer'Length then
             Length := Natural (Written);
@@ -146,12 +124,9 @@ is
    procedure Print_Markers
      (First  : Options.Marker_Number;
       Size   : Options.Marker_Millimetres;
-      Result : out Status)
-   is
-      Code : int;
+      Result : out Status) is
    begin
-      Calls.Print_Markers (int (First), int (Size), Code);
-      Result := To_Status (Code);
+      Calls.Print_Markers (int (First), int (Size), Result);
    end Print_Markers;
 
    procedure Reason (Text : out Reason_Text; Last : out Natural) is

@@ -34,11 +34,6 @@ is
       Failed);       --  OpenCV failed internally, out of memory, or the
                      --  camera's JPEG cannot be decoded
 
-   subtype Side is Positive range 1 .. 8_192;
-   --  Of an image, in pixels
-
-   subtype Percentage is Positive range 1 .. 100;
-
    Max_Source : constant := 1_024;
    --  Characters of the name of a source
 
@@ -46,23 +41,19 @@ is
 
    procedure Open
      (Source        : String;
-      Width, Height : Side;
+      Width, Height : Options.Pixel_Count;
       Fps           : Positive;
       Result        : out Status)
    with
      Global => (In_Out => (Camera, Memory)),
      Pre    => Source'Length <= Max_Source;
-   --  Opens a camera number, device path, file, URL or GStreamer pipeline, and
-   --  closes the former source first. Images are scaled to fit Width x Height.
-   --  Waits for the source, for a URL at most 5 s (7 s with damaged images).
-   --  If the source delivers JPEG, that is stored, and decoded by the first
-   --  operation that needs pixels.
+   --  What a source can be, and how long this waits for it: vision_open in
+   --  vision_c/vision.h. Images are scaled to fit Width x Height
 
    procedure Grab (Into : Slot; Result : out Status)
    with Global => (In_Out => (Camera, Frames, Memory, Trace.Recorder));
-   --  Waits for the next image, at most 2 s (4 s with damaged images) if the
-   --  source can be interrupted. The slot is unchanged unless Done. Images of
-   --  a live source must be grabbed as fast as they arrive; otherwise they age
+   --  Waits for the next image. The slot is unchanged unless Done. Images of a
+   --  live source must be grabbed as fast as they arrive; otherwise they age
    --  in buffers.
 
    procedure Get_Format (Text : out Reason_Text; Last : out Natural)
@@ -111,7 +102,7 @@ is
 
    procedure Encode
      (From    : Slot;
-      Quality : Percentage;
+      Quality : Options.Percentage;
       Buffer  : in out Bytes.Byte_Array;
       Length  : out Natural;
       Result  : out Status)
@@ -120,9 +111,7 @@ is
      Post   => Length <= Buffer'Length
        and then (Result = Done) = (Length > 0);
    --  The image as JPEG, in the first Length bytes of Buffer; unless Done the
-   --  contents are undefined. The camera's own JPEG, of its own quality, if
-   --  nothing has been drawn, the size is the requested one, and any viewer
-   --  can read it (vision_c/vision.h)
+   --  contents are undefined. It may be the camera's own, whatever Quality
 
    procedure Print_Markers
      (First  : Options.Marker_Number;

@@ -20,8 +20,7 @@ package body Vision.Turns with SPARK_Mode is
 
    protected Line with Priority => Schedule.Turn_Ceiling is
       procedure Put (Order : Commands.Order; Next : out Commands.Order);
-      procedure Take
-        (Who : Task_Name; Order : in out Commands.Order; Found : out Boolean);
+      procedure Take (Who : Task_Name; Order : in out Commands.Order);
       procedure Finish (Next : out Commands.Order);
       procedure Clear;
    private
@@ -44,14 +43,12 @@ package body Vision.Turns with SPARK_Mode is
          Next := Next_Of (Waiting, In_Use);
       end Put;
 
-      procedure Take
-        (Who : Task_Name; Order : in out Commands.Order; Found : out Boolean)
-      is
+      procedure Take (Who : Task_Name; Order : in out Commands.Order) is
          Next : constant Commands.Order := Next_Of (Waiting, In_Use);
       begin
-         Found := Next.Number > 0 and then User_Of (Next) = Who;
-         if Found then
+         if Next.Number > 0 and then User_Of (Next) = Who then
             Order := Next;
+            Order.Owed := True;
             Order_Queues.Remove_First (Waiting);
             In_Use := True;
          end if;
@@ -70,9 +67,7 @@ package body Vision.Turns with SPARK_Mode is
 
    end Line;
 
-   procedure Wake (Next : Commands.Order)
-   with Annotate => (GNATprove, Terminating)
-   is
+   procedure Wake (Next : Commands.Order) is
    begin
       if Next.Number > 0 then
          if User_Of (Next) = Th_Arene then
@@ -83,16 +78,10 @@ package body Vision.Turns with SPARK_Mode is
       end if;
    end Wake;
 
-   procedure Take
-     (Who : Task_Name; Order : in out Commands.Order; Found : out Boolean)
-   with
-     Pre  => not Order.Owed,
-     Post => Order.Owed = Found
-   is
+   procedure Take (Who : Task_Name; Order : in out Commands.Order) is
    begin
-      Line.Take (Who, Order, Found);
-      Order.Owed := Found;
-      if Found then
+      Line.Take (Who, Order);
+      if Order.Owed then
          Trace.Put (Trace.Take, Who, Order.Number);
       end if;
    end Take;
@@ -106,24 +95,22 @@ package body Vision.Turns with SPARK_Mode is
    end Put;
 
    procedure Wait_Camera_Control (Order : in out Commands.Order) is
-      Found : Boolean;
    begin
       loop
          pragma Loop_Invariant (not Order.Owed);
          Control_Turn.Wait;
-         Take (Th_Camera_Control, Order, Found);
-         exit when Found;
+         Take (Th_Camera_Control, Order);
+         exit when Order.Owed;
       end loop;
    end Wait_Camera_Control;
 
    procedure Wait_Arena (Order : in out Commands.Order) is
-      Found : Boolean;
    begin
       loop
          pragma Loop_Invariant (not Order.Owed);
          Arena_Turn.Wait;
-         Take (Th_Arene, Order, Found);
-         exit when Found;
+         Take (Th_Arene, Order);
+         exit when Order.Owed;
       end loop;
    end Wait_Arena;
 

@@ -13,7 +13,6 @@ with Both_Ends;
 with Child_Processes;
 with Deadline_Times;
 with Expectations;
-with Full_Load;
 with Libc;
 with Option_Readers;        use Option_Readers;
 with Order_Times;
@@ -21,16 +20,14 @@ with Own_Process;
 with Programs;
 with Report_Machine;
 with Report_Period_Times;
-with Report_Start_Times;
+with Report_Task_Times;
 with Reports;
-with Scale_Limits;
 with Trace_Responses;
 
 procedure Destijl_Bench is
 
    type Section is
-     (Orders, Answers, Periods, Images, Search, Scale, Start, Load, Tasks,
-      Responses);
+     (Orders, Answers, Periods, Search, Tasks, Responses);
 
    Wanted : array (Section) of Boolean := (others => False);
    Folder : Unbounded_String;
@@ -54,8 +51,8 @@ procedure Destijl_Bench is
      & "   --samples N   of each distribution (2000)" & LF
      & "   --seconds N   of each measurement that lasts (60)" & LF
      & "   --quick       200 samples, 10 seconds" & LF
-     & "   --service     load, tasks, responses: as the unit" & LF
-     & "                 starts it; the last from end to end," & LF
+     & "   --service     tasks, responses: as the unit starts" & LF
+     & "                 it; the last from end to end," & LF
      & "                 too; tasks, traces two minutes at most" & LF
      & "   --check       the same, responses from end to end" & LF
      & "                 alone: fails if what is demanded of" & LF
@@ -101,7 +98,7 @@ procedure Destijl_Bench is
       end if;
    end Read_Command_Line;
 
-   procedure Measure_Vision (Section : String) is
+   procedure Measure_Searches is
       --  By a program of its own, in the supervisor's language
       Program : Child_Processes.Child;
       Shown   : Natural := 0;
@@ -110,7 +107,7 @@ procedure Destijl_Bench is
       Program.Start
         (Programs.Beside ("image_times"),
          Child_Processes.Words
-           (Section & " --out " & Programs.Temporary_Folder & " --samples"
+           ("--out " & Programs.Temporary_Folder & " --samples"
             & Integer'Image
                 (Integer'Max (20, Bench_Settings.Sample_Count / 10))));
       loop
@@ -129,7 +126,7 @@ procedure Destijl_Bench is
          delay 0.1;
       end loop;
       Reports.Adopt (Programs.Temporary_Folder & "/bench.json");
-   end Measure_Vision;
+   end Measure_Searches;
 
    procedure Run (Which : Section) is
    begin
@@ -137,11 +134,8 @@ procedure Destijl_Bench is
          when Orders  => Order_Times.Report_Orders;
          when Answers => Order_Times.Report_Answers;
          when Periods => Report_Period_Times;
-         when Images | Search => Measure_Vision (To_Lower (Which'Image));
-         when Scale   => Scale_Limits.Report;
-         when Start   => Report_Start_Times;
-         when Load    => Full_Load.Report;
-         when Tasks   => Full_Load.Report_Tasks;
+         when Search  => Measure_Searches;
+         when Tasks   => Report_Task_Times;
          when Responses =>
             if not Bench_Settings.Only_Checked then
                Trace_Responses.Report (To_String (Bench_Settings.Trace_File));

@@ -46,8 +46,6 @@ class Table:
 
 
 ORDERS = ("orders", "answers")
-MEDIANS = ("median_ratio", "median", "floor_median")
-P999 = ("p999_ratio", "p999", "floor_p999")
 PLAIN = r"(order|answer), (?!.*(relay|--trace|default gap)).*"
 FEATURE = r"F\d+ .*"
 
@@ -56,31 +54,19 @@ TABLES = {
     "times": Table(ORDERS, ("median", "floor_median", "p99", "floor_p99"), PLAIN),
     "silent": Table(ORDERS, ("p999", "max", "value"), ".*stop.*|.*default gap"),
     "user": Table(ORDERS, ("median_ratio", "p99_ratio", "p99"), PLAIN, kind="user"),
-    "periods": Table(("periods",), (*P999, *MEDIANS), ".*, to cyclictest"),
-    "start": Table(
-        ("start",),
-        (*MEDIANS, "max", "value"),
-        "(start|monitor|memory)(?!.*--trace).*",
+    "periods": Table(
+        ("periods",),
+        ("p999_ratio", "p999", "floor_p999", "median_ratio", "median", "floor_median"),
+        ".*, to cyclictest",
     ),
-    "rates": Table(("scale",), ("value",), "highest rate.*"),
-    "processor": Table(("scale",), ("value",), "(?!highest)(?!.*--trace).*"),
-    "trace": Table(
-        (*ORDERS, "start", "scale"),
-        ("median_ratio", "p99_ratio", "median", "ratio", "value"),
-        ".*--trace.*",
-    ),
-    "images": Table(("images",), MEDIANS, r".*\+ send"),
-    "stages": Table(
-        ("images",), ("median",), r"\S+ (encode|base64|send|.* passed through)"
-    ),
+    "trace": Table(ORDERS, ("median_ratio", "p99_ratio", "median"), ".*--trace.*"),
     "search": Table(("search",), ("median_ratio", "median"), ".* search: .*"),
-    "arena": Table(("images",), ("median",), ".* arena"),
+    "arena": Table(("search",), ("median",), r"\S+ arena"),
     "markers": Table(
         ("search",),
         ("median_ratio", "median"),
         ".* [1-4] in view: (following|whole image)",
     ),
-    "load": Table(("load",), ("median", "p99", "p999", "value")),
     "responses": Table(("responses",), ("max", "value")),
     "tasks": Table(("tasks",), ("n", "p999", "value")),
     "hour-times": Table(

@@ -146,7 +146,7 @@ package body Order_Times is
       Process.Start
         (Programs.Beside ("forwarder"),
          Words
-           ("forward " & Device (Floor)
+           (Device (Floor)
             --  Linux counts priorities from 1
             & Integer'Image
                 (if Own_Process.Real_Time_Allowed

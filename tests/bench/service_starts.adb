@@ -4,8 +4,11 @@
 with Ada.Strings.Fixed; use Ada.Strings.Fixed;
 
 with Bench_Settings;
+with Budgets;
 with Child_Processes;   use Child_Processes;
 with Expectations;      use Expectations;
+with Instants;          use Instants;
+with Monitor_Clients;   use Monitor_Clients;
 with Programs;
 with Reports;
 with Supervisors;
@@ -36,7 +39,7 @@ package body Service_Starts is
    end Launcher;
 
    procedure Assemble
-     (R                  : in out Rigs.Rig;
+     (R                  : in out Rig;
       Emulator_Options   : String  := "";
       Supervisor_Options : String  := "";
       Connected          : Boolean := True)
@@ -62,5 +65,23 @@ package body Service_Starts is
          end;
       end if;
    end Assemble;
+
+   procedure Drive (R : in out Rig; For_Time : Duration) is
+      Pause  : constant Duration :=
+        Duration (Budgets.Command_Interval) / 1_000_000;
+      Start  : constant Instant := Now;
+      Number : Natural := 0;
+      Unused : Message;
+   begin
+      while Now - Start < For_Time loop
+         Number := Number + 1;
+         Unused := R.Monitor.Ask ((case Number mod 4 is
+                                      when 0 => "RMOV:-100",
+                                      when 1 => "RTRN:90",
+                                      when 2 => "RSTP",
+                                      when others => "RGST"));
+         delay Pause;
+      end loop;
+   end Drive;
 
 end Service_Starts;

@@ -10,10 +10,8 @@ with Bench_Settings;
 with Budgets;               use Budgets;
 with Busy_Loops;
 with Expectations;          use Expectations;
-with Instants;              use Instants;
 with Libc;
 with Mission_Drives;
-with Monitor_Clients;       use Monitor_Clients;
 with Own_Process;
 with Programs;
 with Reports;
@@ -82,9 +80,6 @@ package body Trace_Responses is
 
    Image_Period : constant := 100_000;
    --  microseconds, without --fps
-
-   Command_Pause : constant Duration := 0.05;
-   --  Budgets.Command_Interval
 
    type State_Array is array (Thread_Number) of Thread_State;
 
@@ -428,9 +423,6 @@ package body Trace_Responses is
       --  A trace
       R      : Rig;
       Load   : Busy_Loops.Load;
-      Start  : Instant;
-      Number : Natural := 0;
-      Unused : Message;
       Count  : Mission_Drives.Tally;
    begin
       Service_Starts.Assemble
@@ -451,18 +443,10 @@ package body Trace_Responses is
          Mission_Drives.Drive
            (R, Duration (Bench_Settings.Short_Seconds), Count);
          Mission_Drives.Report (Count);
+      else
+         Service_Starts.Drive
+           (R, Duration (Bench_Settings.Short_Seconds));
       end if;
-      Start := Now;
-      while not Missions
-        and then Now - Start < Duration (Bench_Settings.Short_Seconds) loop
-         Number := Number + 1;
-         Unused := R.Monitor.Ask ((case Number mod 4 is
-                                      when 0 => "RMOV:-100",
-                                      when 1 => "RTRN:90",
-                                      when 2 => "RSTP",
-                                      when others => "RGST"));
-         delay Command_Pause;
-      end loop;
       Own_Process.Prefer_Real_Time (False);
       Load.Stop;
       R.Supervisor.Send_Signal (Libc.Sigterm);

@@ -6,8 +6,6 @@ from __future__ import annotations
 import argparse
 import contextlib
 import ctypes
-import hashlib
-import json
 import multiprocessing
 import os
 import random
@@ -19,7 +17,6 @@ import tempfile
 import time
 from collections import Counter
 from collections.abc import Callable
-from dataclasses import asdict
 from multiprocessing.connection import Connection
 from pathlib import Path
 from typing import Any, NamedTuple, NoReturn
@@ -51,11 +48,6 @@ class Injection(NamedTuple):
     @property
     def heavy(self) -> bool:
         return any(fault.heavy for fault in self.faults)
-
-    @property
-    def key(self) -> str:
-        """In the record of a run."""
-        return f"{name_of(self.faults)}, {self.repetition}"
 
     @property
     def order(self) -> tuple[bool, float, str]:
@@ -93,12 +85,6 @@ def options() -> argparse.Namespace:
     add("--at", type=at_least(1), help="only that repetition")
     add("--jobs", type=at_least(1, 32), default=12, help="worlds side by side (12)")
     add("--short", action="store_true", help="each fault once, some pairs")
-    add("--markdown", type=Path, help="the table, as a file")
-    add(
-        "--record",
-        type=Path,
-        help="each result; begun again with the file, what is in it is not repeated",
-    )
     programs(parser)
     add("--list", action="store_true", help="the faults' names")
     chosen = parser.parse_args()
@@ -185,35 +171,6 @@ class Table:
         return "\n".join(lines) + "\n"
 
 
-class Record:
-    """Of a run, for its continuation: a line for what is tested, then one for each
-    injection."""
-
-    def __init__(self, path: Path | None, chosen: argparse.Namespace) -> None:
-        self._path = path
-        self.results: dict[str, Result] = {}
-        if path is None:
-            return
-        tested = [str(chosen.seed)]
-        library = chosen.supervisor.with_name("libdestijl_vision.so")
-        for program in (chosen.supervisor, library, chosen.emulator):
-            tested.append(hashlib.sha256(program.read_bytes()).hexdigest())
-        if not path.exists():
-            path.write_text(json.dumps(tested) + "\n")
-        head, *lines = path.read_text().splitlines()
-        if head != json.dumps(tested):
-            sys.exit(f"script/faults: {path} is of another seed or of other programs")
-        for line in lines:
-            key, end, figures = json.loads(line)
-            self.results[key] = Result(end, Figures(**figures))
-
-    def write(self, item: Injection, result: Result) -> None:
-        if self._path:
-            with self._path.open("a") as file:
-                line = (item.key, result.end, asdict(result.figures))
-                file.write(json.dumps(line) + "\n")
-
-
 def end(*_: object) -> NoReturn:
     raise SystemExit(1)
 
@@ -283,11 +240,6 @@ class Job:
 
 def run(chosen: argparse.Namespace, place: Path, table: Table) -> None:
     queue = injections(chosen)
-    record = Record(chosen.record, chosen)
-    for item in queue:
-        if item.key in record.results:
-            table.count(item, record.results[item.key])
-    queue = [item for item in queue if item.key not in record.results]
     whole = len(queue)
     watch = Watch()
     jobs = [Job(place, chosen, watch) for _ in range(min(chosen.jobs, whole))]
@@ -306,7 +258,6 @@ def run(chosen: argparse.Namespace, place: Path, table: Table) -> None:
                 elif result := job.result():
                     left -= 1
                     table.count(job.item, result)
-                    record.write(job.item, result)
                     tell(job.item, result, chosen.seed)
                     job.item = None
                     if result.account == "   it has not ended\n":
@@ -351,8 +302,6 @@ def main() -> None:
         Path(place).chmod(0o755)
         run(chosen, Path(place), table)
     print(table.markdown(), end="")
-    if chosen.markdown:
-        chosen.markdown.write_text(table.markdown())
     figures = table.figures
     print(
         f"{figures.stops} stops of a moving robot after a close or a reset: the slowest"

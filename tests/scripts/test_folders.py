@@ -50,7 +50,7 @@ def compiled(tree: Path, file: str) -> str:
         ("robot/robot-session.adb", "Monitor Vision Missions.Runs Robot.Tasks"),
         ("monitor/monitor-link.adb", "Robot Vision Missions.Runs Monitor.Tasks"),
         ("vision/vision-following.adb", "Robot Monitor Missions.Runs Vision.Tasks"),
-        ("missions/missions-guards.adb", "Monitor Mission_Tasks"),
+        ("missions/missions-driving.adb", "Monitor Mission_Tasks"),
         ("tasks/failures.adb", "Checks"),
     ],
 )

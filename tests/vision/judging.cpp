@@ -159,7 +159,7 @@ void judge_robots(const Row &row, const Scene &scene, int slot,
   double start = milliseconds();
   const vision_status status = vision_find_robots(
       slot, triangles ? VISION_MARKER_TRIANGLE : VISION_MARKER_ARUCO, nullptr,
-      robots, 256, &count);
+      robots, 256, &count, nullptr, 0);
   result.ours.milliseconds = milliseconds() - start;
   demand(status, true);
   std::vector<Finding> findings;

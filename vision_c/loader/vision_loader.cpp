@@ -8,6 +8,7 @@
 #include <atomic>
 #include <cstdio>
 #include <cstring>
+#include <type_traits>
 
 #include <dlfcn.h>
 #include <errno.h>
@@ -22,8 +23,7 @@ namespace {
 
 #define FOR_EACH_FUNCTION(DO)                                                 \
   DO(open) DO(grab) DO(format) DO(close) DO(find_arena) DO(find_robots)       \
-  DO(follow_robots) DO(draw_arena) DO(draw_robot) DO(encode)                  \
-  DO(print_markers) DO(reason) DO(library)
+  DO(draw_arena) DO(draw_robot) DO(encode) DO(print_markers) DO(reason)
 
 struct Functions {
 #define DECLARE(NAME) decltype(&vision_##NAME) NAME;
@@ -33,8 +33,9 @@ struct Functions {
 // Null until the library is there.
 std::atomic<const Functions *> functions{nullptr};
 
-// Of the calling thread, as long as there is no library.
-thread_local char reason[256] = "";
+// Of the calling thread, as long as there is no library. Nothing was ever
+// stored in a slot then.
+thread_local char reason[256] = "no camera was ever opened";
 
 struct Preparation {
   Preparation() { vision::prepare_process(); }
@@ -92,10 +93,12 @@ const Functions *load() {
   return functions.load();
 }
 
-// Of a function without the library: nothing was ever stored in a slot.
-vision_status no_image() {
-  std::snprintf(reason, sizeof reason, "no camera was ever opened");
-  return VISION_BAD_ARGUMENT;
+// The result of a FUNCTION of the library, or OTHERWISE without it.
+template <typename Result, typename... Parameters>
+Result pass(const Functions *all,
+            Result (*Functions::*function)(Parameters...),
+            std::common_type_t<Result> otherwise, Parameters... parameters) {
+  return all != nullptr ? (all->*function)(parameters...) : otherwise;
 }
 
 }  // namespace
@@ -104,90 +107,61 @@ extern "C" {
 
 vision_status vision_open(const char *source, int width, int height,
                           int fps) {
-  const Functions *const all = load();
-  return all != nullptr ? all->open(source, width, height, fps)
-                        : VISION_NO_CAMERA;
+  return pass(load(), &Functions::open, VISION_NO_CAMERA, source, width,
+              height, fps);
 }
 
 vision_status vision_grab(int slot) {
-  const Functions *const all = functions.load();
-  if (all != nullptr)
-    return all->grab(slot);
-  no_image();
-  return VISION_NO_CAMERA;
+  return pass(functions, &Functions::grab, VISION_NO_CAMERA, slot);
 }
 
 const char *vision_format(void) {
-  const Functions *const all = functions.load();
-  return all != nullptr ? all->format() : "";
+  return pass(functions, &Functions::format, "");
 }
 
 vision_status vision_close(void) {
-  const Functions *const all = functions.load();
-  return all != nullptr ? all->close() : VISION_OK;
+  return pass(functions, &Functions::close, VISION_OK);
 }
 
 vision_status vision_find_arena(int slot, vision_arena *arena) {
-  const Functions *const all = functions.load();
-  return all != nullptr ? all->find_arena(slot, arena) : no_image();
+  return pass(functions, &Functions::find_arena, VISION_BAD_ARGUMENT, slot,
+              arena);
 }
 
 vision_status vision_find_robots(int slot, vision_marker marker,
                                  const vision_arena *arena,
                                  vision_robot *robots, int capacity,
-                                 int *count) {
-  const Functions *const all = functions.load();
+                                 int *count, const vision_area *areas,
+                                 int area_count) {
   *count = 0;
-  return all != nullptr ? all->find_robots(slot, marker, arena, robots,
-                                           capacity, count)
-                        : no_image();
-}
-
-vision_status vision_follow_robots(int slot, vision_marker marker,
-                                   const vision_arena *arena,
-                                   const vision_area *areas, int area_count,
-                                   vision_robot *robots, int capacity,
-                                   int *count) {
-  const Functions *const all = functions.load();
-  *count = 0;
-  return all != nullptr ? all->follow_robots(slot, marker, arena, areas,
-                                             area_count, robots, capacity,
-                                             count)
-                        : no_image();
+  return pass(functions, &Functions::find_robots, VISION_BAD_ARGUMENT, slot,
+              marker, arena, robots, capacity, count, areas, area_count);
 }
 
 vision_status vision_draw_arena(int slot, const vision_arena *arena) {
-  const Functions *const all = functions.load();
-  return all != nullptr ? all->draw_arena(slot, arena) : no_image();
+  return pass(functions, &Functions::draw_arena, VISION_BAD_ARGUMENT, slot,
+              arena);
 }
 
 vision_status vision_draw_robot(int slot, const vision_robot *robot) {
-  const Functions *const all = functions.load();
-  return all != nullptr ? all->draw_robot(slot, robot) : no_image();
+  return pass(functions, &Functions::draw_robot, VISION_BAD_ARGUMENT, slot,
+              robot);
 }
 
 vision_status vision_encode(int slot, int quality, unsigned char *buffer,
                             int capacity, int *length) {
-  const Functions *const all = functions.load();
   *length = 0;
-  return all != nullptr ? all->encode(slot, quality, buffer, capacity, length)
-                        : no_image();
+  return pass(functions, &Functions::encode, VISION_BAD_ARGUMENT, slot,
+              quality, buffer, capacity, length);
 }
 
 vision_status vision_print_markers(int descriptor, int first, int side) {
-  const Functions *const all = load();
-  return all != nullptr ? all->print_markers(descriptor, first, side)
-                        : VISION_FAILED;
+  return pass(load(), &Functions::print_markers, VISION_FAILED, descriptor,
+              first, side);
 }
 
 const char *vision_reason(void) {
-  const Functions *const all = functions.load();
-  return all != nullptr ? all->reason() : reason;
-}
-
-const char *vision_library(void) {
-  const Functions *const all = load();
-  return all != nullptr ? all->library() : "none";
+  return pass(functions, &Functions::reason, reason);
 }
 
 }  // extern "C"

@@ -1,7 +1,7 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
 --  The supervisor's lines with the robot's position.
 
-with Monitor.Positions; use Monitor.Positions;
+with Monitor.Notices; use Monitor.Notices;
 
 package Position_Lines is
 

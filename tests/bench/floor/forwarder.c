@@ -2,11 +2,9 @@
 // The floor of the supervisor's orders and answers: a program that does nothing
 // but forward.
 //
-//   forwarder forward DEVICE PRIORITY
+//   forwarder DEVICE PRIORITY
 //      prints "listening on PORT", serves one connection; what comes
 //      from there is written to DEVICE, and back
-//   forwarder start
-//      prints "listening on PORT" and ends
 //
 // PRIORITY: of SCHED_FIFO, 0 for an ordinary process.
 
@@ -19,7 +17,6 @@
 #include <sched.h>
 #include <stdio.h>
 #include <stdlib.h>
-#include <string.h>
 #include <sys/mman.h>
 #include <sys/socket.h>
 #include <termios.h>
@@ -95,18 +92,13 @@ static void forward(int server) {
 }
 
 int main(int count, char **arguments) {
-  if (count == 2 && strcmp(arguments[1], "start") == 0) {
-    start_server();
-  } else if (count == 4 && strcmp(arguments[1], "forward") == 0) {
-    open_line(arguments[2]);
-    const int server = start_server();
-    prefer_real_time(atoi(arguments[3]));
-    forward(server);
-  } else {
-    fputs("usage: forwarder forward DEVICE PRIORITY\n"
-          "       forwarder start\n",
-          stderr);
+  if (count != 3) {
+    fputs("usage: forwarder DEVICE PRIORITY\n", stderr);
     return 2;
   }
+  open_line(arguments[1]);
+  const int server = start_server();
+  prefer_real_time(atoi(arguments[2]));
+  forward(server);
   return 0;
 }

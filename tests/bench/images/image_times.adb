@@ -1,15 +1,13 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  How long each stage of an image's way takes, from the camera's bytes to
---  those on the socket, and each kind of search; beside the floors.
+--  How long each kind of search takes, of robots beside that in the whole
+--  image.
 
 with Ada.Real_Time;    use Ada.Real_Time;
 
 with Interfaces.C;     use Interfaces.C;
 with System;
 
-with Base64;
 with Expectations;     use Expectations;
-with Image_Buffers;    use Image_Buffers;
 with Option_Readers;
 with Options;
 with Plain_Numbers;    use Plain_Numbers;
@@ -27,43 +25,9 @@ procedure Image_Times is
      (Slot : int; Bgr : System.Address; Width, Height : int) return int
    with Import, Convention => C, External_Name => "vision_load";
 
-   function C_Load_Jpeg
-     (Slot : int; Jpeg : System.Address; Length, Width, Height : int)
-      return int
-   with Import, Convention => C, External_Name => "vision_load_jpeg";
-
-   function Decode (Slot : int) return int
-   with Import, Convention => C, External_Name => "image_decode";
-
-   function Floor_Encode (Slot, Quality : int) return int
-   with Import, Convention => C, External_Name => "image_floor_encode";
-
-   function Connect return int
-   with Import, Convention => C, External_Name => "image_connect";
-
-   procedure Send (Socket : int; Data : System.Address; Length : int)
-   with Import, Convention => C, External_Name => "image_send";
-
    Number : Positive := 200;
    --  of images
    Most : constant := 100_000;
-
-   procedure Report
-     (Name   : String;
-      Item   : in out Samples.Set;
-      Floor  : in out Samples.Set;
-      Wanted : Reports.Goals := Reports.No_Goals)
-   is
-      --  Floor may be empty; both are afterwards
-   begin
-      if Floor.Count > 0 then
-         Reports.Compare (Name, Item, Floor, Wanted);
-      else
-         Reports.Put (Name, Item, Wanted);
-      end if;
-      Item.Clear;
-      Floor.Clear;
-   end Report;
 
    Began : Time;
 
@@ -80,13 +44,9 @@ procedure Image_Times is
       Began := Clock;
    end Stop;
 
-   --  The images
-
-   Taken : Natural;
-   --  Bytes of the camera's image
-
-   Quality : constant := 80;
-   --  The supervisor's own default, and the camera's
+   type Pixels is array (1 .. 1_920 * 1_080 * 3) of unsigned_char;
+   type Pixels_Access is access Pixels;
+   Canvas : constant Pixels_Access := new Pixels;
 
    Markers : constant array (1 .. 4) of Scenes.Robot :=
      ((0, 17, 30.3, 28.1, 33.0), (0, 29, 61.0, 44.2, 120.0),
@@ -112,105 +72,24 @@ procedure Image_Times is
       end return;
    end Scene;
 
-   procedure Draw (Item : Scenes.Description) is
-      --  Onto the canvas
+   procedure Show (Item : Scenes.Description) is
+      --  In slot 0
    begin
-      Check (Scenes.Draw (Item, Canvas'Address) = 0, "drawing");
-   end Draw;
-
-   procedure Show (Width, Height : Positive) is
-      --  The canvas in slot 0
-   begin
-      Check (C_Load (0, Canvas'Address, int (Width), int (Height)) = 0,
-             "loading");
+      Check (Scenes.Draw (Item, Canvas.all'Address) = 0
+             and then C_Load (0, Canvas.all'Address, Item.Width, Item.Height)
+               = 0,
+             "drawing");
    end Show;
-
-   --  The stages
-
-   Wire : constant int := Connect;
-
-   type Stage is (Passing, Arena_Search, Encoding, To_Text, Sending, Whole);
-
-   Times, Floors : array (Stage) of Samples.Set;
-
-   procedure Measure_Stages (Width, Height : Positive) is
-      Size   : constant String := Image (Width) & "x" & Image (Height);
-      Arena  : Arena_Corners;
-      Result : Status;
-      Length : Natural;
-      Last   : Natural;
-
-      procedure Encode_Floor is
-      begin
-         Check (Floor_Encode (0, Quality) > 0, "encoding");
-         Start;
-         Check (Floor_Encode (0, Quality) > 0, "encoding");
-         Stop (Floors (Whole));
-      end Encode_Floor;
-
-   begin
-      for K in 1 .. Number loop
-         Taken := Natural
-           (Scenes.Jpeg (Scene (Width, Height, 1, K mod 20), Quality,
-                         Source'Address, Source'Length));
-
-         --  The camera's bytes, checked, kept and passed on
-         Start;
-         Check (C_Load_Jpeg (0, Source'Address, int (Taken), int (Width),
-                             int (Height)) = 0, "the camera's JPEG");
-         Encode (0, Quality, Jpeg, Length, Result);
-         Stop (Times (Passing));
-         Check (Result = Done and then Length = Taken, "passed on");
-
-         Check (Decode (0) = 0, "decoding");
-         Start;
-         Find_Arena (0, Arena, Result);
-         Stop (Times (Arena_Search));
-         Check (Result = Done, "arena");
-         Draw_Arena (0, Arena, Result);
-         --  from now on the camera's bytes are another image's
-
-         --  Encoded and sent, the floor first or second in turn
-         if K mod 2 = 0 then
-            Encode_Floor;
-         end if;
-         Start;
-         Encode (0, Quality, Jpeg, Length, Result);
-         Stop (Times (Encoding));
-         Check (Result = Done, "encoding");
-         Base64.Encode (Jpeg, Length, Text, 6, Last);
-         Stop (Times (To_Text));
-         Send (Wire, Text'Address, int (Last));
-         Stop (Times (Sending));
-         Times (Whole).Add
-           (Times (Encoding).Last + Times (To_Text).Last
-            + Times (Sending).Last);
-         if K mod 2 = 1 then
-            Encode_Floor;
-         end if;
-      end loop;
-
-      Report (Size & " camera's JPEG passed through",
-              Times (Passing), Floors (Passing),
-              (1 => (Reports.Median, 100.0, False)));
-      Report (Size & " arena", Times (Arena_Search), Floors (Arena_Search));
-      Report (Size & " encode", Times (Encoding), Floors (Encoding));
-      Report (Size & " base64", Times (To_Text), Floors (To_Text));
-      Report (Size & " send", Times (Sending), Floors (Sending));
-      Report (Size & " encode + base64 + send", Times (Whole), Floors (Whole),
-              (1 => (Reports.Median_Ratio, 1.15, False)));
-   end Measure_Stages;
 
    procedure Measure_Searches
      (Width, Height : Positive; Robots : Natural; Prefix : String)
    is
-      Name    : constant String :=
-        Image (Width) & "x" & Image (Height) & " " & Prefix;
-      Full    : Samples.Set renames Times (Whole);
-      Inside  : Samples.Set renames Times (Passing);
-      Follow  : Samples.Set renames Times (Encoding);
-      Plain   : Samples.Set renames Floors (Whole);
-      Copy    : Samples.Set renames Floors (Passing);
+      Size    : constant String := Image (Width) & "x" & Image (Height);
+      Name    : constant String := Size & " " & Prefix;
+      Full    : Samples.Set;
+      Inside  : Samples.Set;
+      Follow  : Samples.Set;
+      Around  : Samples.Set;
       Arena   : Arena_Corners;
       Found   : Robot_Array;
       Count   : Robot_Count;
@@ -260,17 +139,19 @@ procedure Image_Times is
       end Follow_On;
 
    begin
-      Draw (Scene (Width, Height, Robots, 0));
-      Show (Width, Height);
-      Find_Arena (0, Arena, Result);
-      Check (Result = Done, "arena");
+      for K in 1 .. Number loop
+         Show (Scene (Width, Height, Robots, K mod 20));
+         Start;
+         Find_Arena (0, Arena, Result);
+         Stop (Around);
+         Check (Result = Done, "arena");
+      end loop;
       for First in 0 .. (Number - 1) / Row loop
          for Where in Search loop
             for K in First * Row + 1
               .. Positive'Min (Number, (First + 1) * Row)
             loop
-               Draw (Scene (Width, Height, Robots, K));
-               Show (Width, Height);
+               Show (Scene (Width, Height, Robots, K));
                if Where = By_Following then
                   Follow_On;
                else
@@ -279,24 +160,24 @@ procedure Image_Times is
             end loop;
          end loop;
       end loop;
-      Plain := Full;
-      Copy := Full;
-      Report (Name & "in the arena", Inside, Copy);
+      Reports.Compare (Name & "in the arena", Inside, Full);
       if Follow.Count > 0 then
-         Report (Name & "following", Follow, Plain,
-                 (if Prefix = "search: "
-                  then (1 => (Reports.Median_Ratio, 0.2, False))
-                  else Reports.No_Goals));
+         Reports.Compare
+           (Name & "following", Follow, Full,
+            (if Prefix = "search: "
+             then (1 => (Reports.Median_Ratio, 0.2, False))
+             else Reports.No_Goals));
       end if;
-      Plain.Clear;
-      Report (Name & "whole image", Full, Plain);
+      Reports.Put (Name & "whole image", Full);
+      if Prefix = "search: " then
+         Reports.Put (Size & " arena", Around);
+      end if;
    end Measure_Searches;
 
    Widths  : constant array (1 .. 4) of Positive := (320, 640, 1_280, 1_920);
    Heights : constant array (1 .. 4) of Positive := (240, 480, 720, 1_080);
    Usage   : constant String :=
-     "usage: image_times images|search --out FOLDER [--samples N]";
-   Search  : Boolean := False;
+     "usage: image_times --out FOLDER [--samples N]";
 
 begin
    while Option_Readers.Next loop
@@ -304,30 +185,19 @@ begin
          Number := Option_Readers.Number (10, Most);
       elsif Option_Readers.Name = "--out" then
          Reports.Open (Option_Readers.Value);
-      elsif Option_Readers.Name in "images" | "search" then
-         Search := Option_Readers.Name = "search";
       else
          Programs.Read_Option (Usage);
       end if;
    end loop;
 
-   if Search then
-      Reports.Begin_Section ("search", "robots and arena in an image");
-      for Size in Widths'Range loop
-         Measure_Searches (Widths (Size), Heights (Size), 1, "search: ");
-      end loop;
-      for Robots in 0 .. 4 loop
-         Measure_Searches (640, 480, Robots, Image (Robots) & " in view: ");
-      end loop;
-      Reports.Put_Note ("floor: the whole image");
-   else
-      Reports.Begin_Section
-        ("images", "an image's way, from the camera to the socket");
-      for Size in Widths'Range loop
-         Measure_Stages (Widths (Size), Heights (Size));
-      end loop;
-      Reports.Put_Note ("floor of the sum: libjpeg-turbo alone");
-   end if;
+   Reports.Begin_Section ("search", "robots and arena in an image");
+   for Size in Widths'Range loop
+      Measure_Searches (Widths (Size), Heights (Size), 1, "search: ");
+   end loop;
+   for Robots in 0 .. 4 loop
+      Measure_Searches (640, 480, Robots, Image (Robots) & " in view: ");
+   end loop;
+   Reports.Put_Note ("floor: the whole image");
    Reports.End_Section;
 
 exception

@@ -255,14 +255,14 @@ begin
    Texts.Set (Text, "received RMOV:-12345");
    for I in Sample_Index loop
       Start;
-      Journal.Put (Options.Debug, Text);
+      Journal.Put (Options.Debug, Texts.Image (Text));
       Stop;
    end loop;
    Report ("Journal.Put, not kept");
 
    for I in Sample_Index range 1 .. 256 loop
       Start;
-      Journal.Put (Options.Info, Text);
+      Journal.Put (Options.Info, Texts.Image (Text));
       Stop;
    end loop;
    Report ("Journal.Put, kept");

@@ -25,8 +25,6 @@ package body Logic_Targets is
          when Tokens    => Admission_Targets.Tokens (Data);
          when Arguments => Text_Targets.Arguments (Data);
          when Base64    => Text_Targets.Base64_Texts (Data);
-         when Decimals  => Text_Targets.Decimal_Numbers (Data);
-         when Texts     => Text_Targets.Bounded_Texts (Data);
       end case;
    end Run;
 

@@ -8,8 +8,7 @@ with System;
 package Logic_Targets is
 
    type Target_Kind is
-     (Lines, Frames, Commands, Sessions, Networks, Tokens, Arguments, Base64,
-      Decimals, Texts);
+     (Lines, Frames, Commands, Sessions, Networks, Tokens, Arguments, Base64);
 
    procedure Choose (Target : Target_Kind);
    --  What Give gives its inputs to

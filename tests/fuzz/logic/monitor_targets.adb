@@ -6,14 +6,13 @@ with Commands;          use Commands;
 with Expectations;      use Expectations;
 with Input_Readers;     use Input_Readers;
 with Missions;
-with Monitor.Paths;
 with Monitor.Protocol;  use Monitor.Protocol;
 with Texts;
 
 package body Monitor_Targets is
 
    function Are_Points (Text : String; Most : Positive) return Boolean is
-      --  1 to Most points. Said in another way than Monitor.Paths does
+      --  1 to Most points. Said in another way than Is_Path does
       type Place is (Sign, Whole, Point, Part);
       --  what has come last of a coordinate
 
@@ -130,7 +129,7 @@ package body Monitor_Targets is
       Check (Here = Meaning (Line), "a line has another meaning");
       Check (Here = There, "a line's meaning depends on its index");
       if Here.Name in Mission_Command then
-         Monitor.Paths.Parse
+         Monitor.Protocol.Parse
            (Line, Line'First + Text_Offset, Measure (Here.Name),
             Most_Points (Here.Name), Path, Valid);
          Check (Valid, "a mission has no path");

@@ -1,7 +1,6 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  Fuzz targets: texts and numbers, and the command line. Each raises an
---  exception where something is wrong, as a contract or a check of the
---  language does.
+--  Fuzz targets: the command line, and Base64. Each raises an exception where
+--  something is wrong, as a contract or a check of the language does.
 
 with Bytes;
 
@@ -12,11 +11,5 @@ package Text_Targets is
 
    procedure Base64_Texts (Data : Bytes.Byte_Array);
    --  Data as Base64 to be read, then as bytes to be written in it
-
-   procedure Decimal_Numbers (Data : Bytes.Byte_Array);
-   --  Data as digits to be read, then as numbers to be written
-
-   procedure Bounded_Texts (Data : Bytes.Byte_Array);
-   --  Data as operations on a text of bounded length
 
 end Text_Targets;

@@ -87,7 +87,7 @@ void find_robots(int slot, vision_marker marker, const vision_arena *arena,
       new vision_robot[std::size_t(std::max(capacity, 0))]);
   int count = -1;
   const vision_status status = vision_find_robots(
-      slot, marker, arena, place.get(), capacity, &count);
+      slot, marker, arena, place.get(), capacity, &count, nullptr, 0);
   check_no_failure(status);
   expect(status == VISION_OK ? count >= 1 && count <= capacity : count == 0,
          "wrong count of robots");
@@ -111,9 +111,8 @@ void follow_robots(Input &input, int slot, vision_marker marker) {
       new vision_robot[std::size_t(std::max(capacity, 0))]);
   int count = -1;
   const vision_status status =
-      vision_follow_robots(slot, marker, nullptr,
-                           number < 0 ? nullptr : areas.get(), number,
-                           place.get(), capacity, &count);
+      vision_find_robots(slot, marker, nullptr, place.get(), capacity, &count,
+                         number < 0 ? nullptr : areas.get(), number);
   check_no_failure(status);
   expect(status == VISION_OK ? count >= 1 && count <= capacity : count == 0,
          "wrong count of followed robots");
@@ -365,9 +364,9 @@ void call(Input &input) {
     vision_robot robot;
     unsigned char byte = 0;
     check(vision_find_robots(slot, VISION_MARKER_ARUCO, nullptr, nullptr, 1,
-                             &count));
+                             &count, nullptr, 0));
     check(vision_find_robots(slot, VISION_MARKER_ARUCO, nullptr, &robot, 1,
-                             nullptr));
+                             nullptr, nullptr, 0));
     check(vision_encode(slot, 80, nullptr, 1, &count));
     check(vision_encode(slot, 80, &byte, 1, nullptr));
     check(vision_load_jpeg(slot, &byte, 1, 640, 480));
@@ -412,9 +411,9 @@ void work(Input &input, int slot) {
   std::vector<vision_robot> again(4);
   int count = 0;
   if (!areas.empty())
-    expect(vision_follow_robots(slot, marker, bounded ? &arena : nullptr,
-                                areas.data(), int(areas.size()), again.data(),
-                                4, &count) <= VISION_NOT_FOUND,
+    expect(vision_find_robots(slot, marker, bounded ? &arena : nullptr,
+                              again.data(), 4, &count, areas.data(),
+                              int(areas.size())) <= VISION_NOT_FOUND,
            "robots cannot be followed");
   if (bounded)
     draw_arena(slot, arena);

@@ -35,7 +35,7 @@ begin
    Group ("Monitor.Protocol", Monitor_Protocol_Tests'Access);
    Group ("Robot.Health", Line_Health_Tests'Access);
    Group ("Monitor.Mailboxes", Mailboxes_Tests'Access);
-   Group ("Monitor.Paths", Monitor_Paths_Tests'Access);
+   Group ("Monitor.Protocol: paths", Monitor_Paths_Tests'Access);
    Group ("Monitor.Notices", Missions_Texts_Tests'Access);
    Group ("Missions.Arenas", Mission_Arenas_Tests'Access);
    Group ("Missions.Grounds", Mission_Grounds_Tests'Access);

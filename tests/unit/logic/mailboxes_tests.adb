@@ -30,7 +30,9 @@ procedure Mailboxes_Tests is
    procedure Answer
      (Number : Ticket; Line : Monitor.Protocol.Short_Text := Acknowledged) is
    begin
-      Put_Answer (B, Number, Line);
+      Put_Answer
+        (B, Number,
+         ((if Line.Length > 0 then Ready_Text else Ready_Nothing), Line));
    end Answer;
 
    procedure Begin_Anew is
@@ -326,7 +328,7 @@ procedure Mailboxes_Tests is
       Begin_Anew;
       Put_Image;
       Put_Image;
-      Put (B, Told (Monitor.Notices.Camera_Ended), Now);
+      Put (B, Told (Monitor.Notices.Camera_Stopped), Now);
       Put (Lost, "ATIM");
       Put (B, Told (Monitor.Notices.Robot_Lost_Empty), Now);
       Check (Lost, "ATIM");
@@ -374,7 +376,7 @@ procedure Mailboxes_Tests is
       Put_Image;
       Answer (Third, Monitor.Protocol.Refused);
       Check (Nothing);
-      Put_Answer (B, Second, No_Line);
+      Answer (Second, No_Line);
       Answer (First);
       Answer (First, Monitor.Protocol.Timed_Out);
       Check (Monitor.Mailboxes.Answer, "AACK");

@@ -9,7 +9,7 @@ with AUnit.Assertions;          use AUnit.Assertions;
 
 with Missions.Angles;
 with Missions.Arenas;           use Missions.Arenas;
-with Missions.Guards;
+with Missions.Driving;
 with Vision; use Vision;
 with Unit_Runs; use Unit_Runs;
 
@@ -448,7 +448,7 @@ procedure Mission_Arenas_Tests is
             Locate (M, (Micro_Pixels (P.Points (K).X),
                         Micro_Pixels (P.Points (K).Y)), Where, Known);
             Assert (Known and then Places (K) = Where
-                    and then Guards.Is_Target (Where, Size), "where it is");
+                    and then Driving.Is_Target (Where, Size), "where it is");
          end;
       end loop;
       Check (71_300_000, 40_900_000, False, "at the border");

@@ -11,7 +11,7 @@ with Mission_Judges;
 with Mission_Plans;
 with Missions;            use Missions;
 with Missions.Angles;     use Missions.Angles;
-with Missions.Guards;     use Missions.Guards;
+with Missions.Driving;    use Missions.Driving;
 with Missions.Runs;       use Missions.Runs;
 with Robot_Motion;
 with Simulated_Missions;  use Simulated_Missions;
@@ -138,9 +138,9 @@ procedure Mission_Runs_Tests is
             Angle : constant Bearing := K * 100_000;
             Rad   : constant Float := Float (K) / 1_800.0 * 3.141_592_65;
          begin
-            Assert (abs (Float (Sine (Angle)) - 1.0E6 * Sin (Rad)) < 45.0
+            Assert (abs (Float (Sine (Angle)) - 1.0E6 * Sin (Rad)) < 5.0
                     and then
-                    abs (Float (Cosine (Angle)) - 1.0E6 * Cos (Rad)) < 45.0,
+                    abs (Float (Cosine (Angle)) - 1.0E6 * Cos (Rad)) < 5.0,
                     "sine or cosine of" & Angle'Image);
             for L of Length loop
                X := Micrometres (L * Cos (Rad));
@@ -238,13 +238,13 @@ procedure Mission_Runs_Tests is
 
    procedure Test_Guards is
 
-      Known : constant Missions.Guards.Doubts := (10_000, 0, 0, 0);
+      Known : constant Missions.Driving.Doubts := (10_000, 0, 0, 0);
 
       function Permitted
         (X, Y    : Integer;
          Degrees : Integer;
          Move    : Drive_Length;
-         D       : Missions.Guards.Doubts) return Boolean
+         D       : Missions.Driving.Doubts) return Boolean
       is (Is_Permitted
             (((Micrometres (X) * 1_000, Micrometres (Y) * 1_000),
               Bearing (Degrees) * 1_000_000), Move, D, Size));

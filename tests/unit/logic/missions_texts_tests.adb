@@ -66,7 +66,7 @@ procedure Missions_Texts_Tests is
       procedure Check (Why : Refusal; Reason : String) is
       begin
          Count := Count + 1;
-         Assert (Text_Of (Notice_Of (Why)) = "mission not possible: " & Reason,
+         Assert (String'(Text_Of (Why)) = "mission not possible: " & Reason,
                  Reason);
       end Check;
 

@@ -3,6 +3,7 @@
 
 with AUnit.Assertions; use AUnit.Assertions;
 
+with Interfaces;       use Interfaces;
 with Monitor.Link;     use Monitor.Link;
 with Texts;
 with Unit_Runs; use Unit_Runs;
@@ -22,17 +23,17 @@ procedure Monitor_Link_Tests is
       S := Started (Now);
    end Begin_At;
 
-   Open   : constant Natural := 64_512;
-   Closed : constant Natural := 0;
+   Open   : constant Unsigned_32 := 64_512;
+   Closed : constant Unsigned_32 := 0;
    --  windows
 
    function Next
-     (Unacknowledged : Natural;
+     (Unacknowledged : Unsigned_32;
       Since_Heard    : Milliseconds;
-      Outstanding    : Natural;
-      Bytes_Acked    : Byte_Count;
-      Window         : Natural      := Open;
-      Probes         : Natural      := 0;
+      Outstanding    : Unsigned_64;
+      Bytes_Acked    : Unsigned_64;
+      Window         : Unsigned_32  := Open;
+      Probes         : Unsigned_32  := 0;
       Patience       : Milliseconds := Milliseconds'Last;
       Since_Data     : Milliseconds := Milliseconds'Last) return Verdict
    is
@@ -94,7 +95,7 @@ procedure Monitor_Link_Tests is
    end Test_Both;
 
    procedure Test_Pause is
-      Acked : Byte_Count := 0;
+      Acked : Unsigned_64 := 0;
    begin
       Begin_At (0);
       for Round in 1 .. 10 loop
@@ -119,9 +120,10 @@ procedure Monitor_Link_Tests is
    begin
       Begin_At (0);
       for I in 1 .. 1_000 loop
-         Assert (Next (1, 100, 100_000, Byte_Count (I / 35)) = Present,
+         Assert (Next (1, 100, 100_000, Unsigned_64 (I / 35)) = Present,
                  "a byte every 7 s");
-         Assert (Next (1, 100, 100_000, Byte_Count (I / 35), Closed) = Present,
+         Assert (Next (1, 100, 100_000, Unsigned_64 (I / 35), Closed)
+                 = Present,
                  "which closes the window meanwhile");
       end loop;
    end Test_Slow;
@@ -163,7 +165,7 @@ procedure Monitor_Link_Tests is
    begin
       Begin_At (0);
       for I in 1 .. 10_000 loop
-         Assert (Next (3, 40, 60_000, Byte_Count (I) * 50_000) = Present,
+         Assert (Next (3, 40, 60_000, Unsigned_64 (I) * 50_000) = Present,
                  "in full flow");
       end loop;
    end Test_Streaming;
@@ -254,7 +256,7 @@ procedure Monitor_Link_Tests is
 
       Begin_At (0);
       for I in 1 .. 1_000 loop
-         Assert (Next (0, 10, 0, Byte_Count (I),
+         Assert (Next (0, 10, 0, Unsigned_64 (I),
                        Since_Data => Milliseconds (I) * Step) = Present,
                  "it owes nothing");
       end loop;

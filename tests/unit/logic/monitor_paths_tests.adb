@@ -4,7 +4,7 @@
 with AUnit.Assertions; use AUnit.Assertions;
 
 with Missions;  use Missions;
-with Monitor.Paths;
+with Monitor.Protocol;
 with Unit_Runs; use Unit_Runs;
 
 procedure Monitor_Paths_Tests is
@@ -14,7 +14,7 @@ procedure Monitor_Paths_Tests is
       P     : Path;
       Valid : Boolean;
    begin
-      Monitor.Paths.Parse
+      Monitor.Protocol.Parse
         (Text, Text'First, Centimetres, Max_Points, P, Valid);
       Assert (Valid = (P.Count > 0), Text & ": valid or empty");
       Assert (P.Measure = Centimetres, "the unit");

@@ -8,7 +8,7 @@ with AUnit.Assertions; use AUnit.Assertions;
 
 with Commands; use Commands;
 with Missions;
-with Monitor.Positions; use Monitor.Positions;
+with Monitor.Notices;  use Monitor.Notices;
 with Monitor.Protocol;  use Monitor.Protocol;
 with Position_Lines;
 with Unit_Runs; use Unit_Runs;

@@ -124,14 +124,14 @@ procedure Robot_Session_Tests is
       Assert (Made (1 .. Last) = Trace,
               Label & "steps " & Made (1 .. Last) & ", not " & Trace);
       Assert (Used >= Answers'Length, Label & "all answers were wanted");
-      Assert (Result (P).Kind = Kept.Kind
-              and then Result (P).Note = Kept.Note
+      Assert (P.Result.Kind = Kept.Kind
+              and then P.Result.Note = Kept.Note
               and then
                 (if Kind in Get_Battery | Get_Moving and then Kept.Kind = Done
-                 then Result (P).Text.Data (1 .. 1)
+                 then P.Result.Text.Data (1 .. 1)
                    = Kept.Value'Image (2 .. 2)),
-              Label & "outcome " & Result (P).Kind'Image
-              & Result (P).Text.Data (1) & " " & Result (P).Note'Image);
+              Label & "outcome " & P.Result.Kind'Image
+              & P.Result.Text.Data (1) & " " & P.Result.Note'Image);
       Assert (Is_Consistent (S), Label & "consistent");
    end Carry_Out;
 
@@ -170,14 +170,14 @@ procedure Robot_Session_Tests is
    begin
       Visited := Visited + 1;
       if Next.Kind = Finish then
-         Assert ((if Result (P).Note = Robot_Lost
+         Assert ((if P.Result.Note = Robot_Lost
                   then H.Stopped and then H.Closed),
                  "lost: stopped and closed");
          Assert (S.Line_Open =
                    (not H.Closed
                     and then (H.Before.Line_Open
                               or else (H.Request.Kind = Open_Line
-                                       and then Result (P).Kind = Done))),
+                                       and then P.Result.Kind = Done))),
                  "the line is closed by a close only");
          return;
       end if;
@@ -386,12 +386,12 @@ procedure Robot_Session_Tests is
       S := (others => <>);
       Carry_Out (S, Open_Line, "+-", "O!r~V", Success);
       Assert (S.Line_Open and then S.Mode = Not_Started
-              and then Robot.Health.Failures (S.Health) = 1,
+              and then S.Health.Failures = 1,
               "open, one failure");
       S := (others => <>);
       Carry_Out (S, Open_Line, "++-", "O!r~Vr", Success);
       Assert (S.Line_Open and then S.Mode = Not_Started
-              and then Robot.Health.Failures (S.Health) = 1,
+              and then S.Health.Failures = 1,
               "open, one failure");
       for Mode in Mode_Kind loop
          Check (Mode, Open_Line, "", "", Success, Mode);
@@ -423,10 +423,10 @@ procedure Robot_Session_Tests is
       Assert (S = Opened (Started), "in step");
       S := Unsure;
       Carry_Out (S, Drive, "-", "~V", Silence);
-      Assert (Robot.Health.Failures (S.Health) = 2, "two failures");
+      Assert (S.Health.Failures = 2, "two failures");
       S := Unsure;
       Carry_Out (S, Drive, "+-", "~VT", Silence);
-      Assert (Robot.Health.Failures (S.Health) = 1, "one failure");
+      Assert (S.Health.Failures = 1, "one failure");
 
       Check_Unsure (Stop, "++", "!.~V.", Success);
       Check_Unsure (Stop, "-", "!.~V", Silence);

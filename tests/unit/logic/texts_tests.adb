@@ -51,7 +51,17 @@ procedure Texts_Tests is
       Check_Number (Integer'First + 1);
    end Test_Numbers;
 
+   procedure Test_Width is
+      Item : Text;
+   begin
+      Append (Item, 7, Width => 3);
+      Append (Item, -42, Width => 10);
+      Append (Item, 1_234, Width => 2);
+      Assert (Image (Item) = "007-00000000421234", Image (Item));
+   end Test_Width;
+
 begin
    Run_Test ("numbers", Test_Numbers'Access);
+   Run_Test ("zeros before a number", Test_Width'Access);
    Run_Test ("a number cut", Test_Cut_Number'Access);
 end Texts_Tests;

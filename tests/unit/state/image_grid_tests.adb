@@ -247,7 +247,7 @@ procedure Image_Grid_Tests is
       Length : Vision.Image_Grid.Microseconds;
    begin
       Wait_Ended (Grid, 15_000, Period);
-      Assert (Lost (Grid) = 0, "the wait for the first image");
+      Assert (Grid.Lost = 0, "the wait for the first image");
       Step (Grid, 0, False, Period, Length);
       Assert (Length = Period, "nothing is lost");
       Step (Grid, 0, True, Period, Length);
@@ -263,7 +263,7 @@ procedure Image_Grid_Tests is
       Assert (Length = Period, "all has been made up for");
 
       Wait_Ended (Grid, Vision.Image_Grid.Microseconds'Last, Period);
-      Assert (Lost (Grid) = Most_Lost (Period), "so much at most");
+      Assert (Grid.Lost = Most_Lost (Period), "so much at most");
       for Image in 1 .. Enough_Early - 1 loop
          Step (Grid, 20_000, False, Period, Length);
          Assert (Length = Period, "may be chance");
@@ -277,7 +277,7 @@ procedure Image_Grid_Tests is
       Assert (Length = 90_000, "it is none");
       Step (Grid, 19_000, False, Period, Length);
       Assert (Length = Period, "that is all");
-      Assert (Lost (Grid) = Most_Lost (Period) - 10_000,
+      Assert (Grid.Lost = Most_Lost (Period) - 10_000,
               "the rest is not forgotten");
    end Test_Step;
 

@@ -3,9 +3,9 @@
 
 with AUnit.Assertions; use AUnit.Assertions;
 
+with Command_Lines;
 with Journal;
 with Options;
-with Texts;
 with Unit_Runs; use Unit_Runs;
 
 procedure Journal_Tests is
@@ -47,9 +47,9 @@ procedure Journal_Tests is
       Journal.Put (Options.Debug, "too much");
       Journal.Get_Waiting (Count);
       Assert (Count = Before, "left out");
-      Journal.Set_Level (Options.Debug);
+      Command_Lines.Given.Chosen.Log_Level := Options.Debug;
       Journal.Put (Options.Debug, "wanted");
-      Journal.Set_Level (Options.Info);
+      Command_Lines.Given.Chosen.Log_Level := Options.Info;
       Check ("wanted");
    end Test_Level;
 
@@ -71,7 +71,7 @@ procedure Journal_Tests is
       Journal.Put (Options.Info, "one");
       Journal.Put (Options.Error, "two" & ASCII.LF);
       Check ("one");
-      Journal.Put (Options.Warning, Texts.To_Text ("three"));
+      Journal.Put (Options.Warning, "three");
       Check ("two?");
       Check ("three");
    end Test_Order;

@@ -53,8 +53,9 @@ procedure Trace.Ring_Tests is
       Trace.Put_Due (Th_Move, Time_First);
       Trace.Put (Trace.Resume, Th_Move);
       Trace.Put (Trace.Sent, Th_Send_To_Mon, Label => "AACK  ");
-      Trace.Finish (Success, Reason);
+      Trace.Finish (Reason);
       --  with contracts on and other load it may be too slow
+      Success := Reason.Length = 0;
       Assert (Success or else Texts.Image (Reason) = "it takes too long",
               Texts.Image (Reason));
       Trace_Files.Read (Path, Result);
@@ -75,8 +76,10 @@ procedure Trace.Ring_Tests is
       Programs.Remove_Temporary_Folder;
       --  it is over
       Trace.Put (Trace.Start, Th_Move);
-      Trace.Finish (Success, Reason);
-      Assert (Success and then not Ada.Directories.Exists (Path), "again");
+      Trace.Finish (Reason);
+      Assert
+        (Reason.Length = 0 and then not Ada.Directories.Exists (Path),
+         "again");
    end Test_File;
 
    procedure Test_Round is

@@ -278,24 +278,23 @@ procedure Following_Tests is
          Done : Boolean;
       begin
          Vision.Following.Settle (Known, 100, Robots, Count, Done);
-         Assert (Done = (Left > 0)
-                 and then Vision.Following.Count (Known) = Left, What);
+         Assert (Done = (Left > 0) and then Known.Count = Left, What);
          if not Done then
             Vision.Following.Begin_Anew (Known, Two, 2);
-            Assert (Vision.Following.Count (Known) = 2, "known again");
+            Assert (Known.Count = 2, "known again");
          end if;
       end Settle;
 
    begin
       Vision.Following.Begin_Anew (Known, Two, 2);
       Settle (Two, 2, 2, "both");
-      Assert (Vision.Following.Age (Known) = 100, "their age");
+      Assert (Known.Age = 100, "their age");
       Settle ((Two (1), Six, Two (2), others => <>), 3, 3, "one more");
       Settle (Two, 2, 0, "one less");
       Settle ((Two (1), Six, others => <>), 2, 0, "another instead");
       Settle ((others => <>), 0, 0, "none");
       Vision.Following.Forget (Known);
-      Assert (Vision.Following.Count (Known) = 0, "forgotten");
+      Assert (Known.Count = 0, "forgotten");
    end Test_Settle;
 
    procedure Test_Far_Away is

@@ -61,7 +61,9 @@ package Vision_C is
       Inside   : access constant Arena;
       Robots   : System.Address;
       Capacity : int;
-      Count    : access int) return Status
+      Count    : access int;
+      Areas    : System.Address := System.Null_Address;
+      Number   : int := 0) return Status
    with Import, Convention => C, External_Name => "vision_find_robots";
 
    function Find_Robots_Of_Kind
@@ -70,7 +72,9 @@ package Vision_C is
       Inside   : access constant Arena;
       Robots   : System.Address;
       Capacity : int;
-      Count    : access int) return Status
+      Count    : access int;
+      Areas    : System.Address := System.Null_Address;
+      Number   : int := 0) return Status
    with Import, Convention => C, External_Name => "vision_find_robots";
    --  For markers that there are none of
 
