@@ -291,9 +291,9 @@ is
      (Stat : String; Number : Calls.Device_Number) return Boolean
    with Pre => Stat'First = 1 and then Stat'Last < Integer'Last
    is
-      --  The device is the terminal of a process' session, such as a login's.
-      --  Stat: its /proc/PID/stat, such as
-      --  "512 (agetty) S 1 512 512 1088 512 ..."
+      --  The device, which is no pseudo-terminal (containers have the same
+      --  numbers), is the terminal of a process' session, such as a login's.
+      --  Stat: its /proc/PID/stat, "512 (agetty) S 1 512 512 1088 512 ..."
       Wanted : Texts.Text := Texts.To_Text (" ");
       Blanks : Natural range 0 .. 5 := 0;
    begin
@@ -309,7 +309,7 @@ is
             Blanks := Blanks + 1;
             --  before the fifth word after the name
             if Blanks = 5 then
-               return Number.Major > 0  --  0: none
+               return Number.Major not in 0 | 136 .. 143  --  0: none
                  and then
                    Index (Stat (I .. Stat'Last), Texts.Image (Wanted)) = I;
             end if;
@@ -339,8 +339,7 @@ is
          if Numbers (I) = ' ' then
             Calls.Get_Start
               ("/proc/" & Numbers (Start .. I - 1) & "/stat", Table, Last);
-            if Is_Of_Session (Table (1 .. Last), File.Itself)
-            then
+            if Is_Of_Session (Table (1 .. Last), File.Itself) then
                Append_Process (Used, Numbers (Start .. I - 1));
                Texts.Append (Used, " has it as its terminal");
                return;

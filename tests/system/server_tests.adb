@@ -367,11 +367,19 @@ procedure Server_Tests is
    end Not_Heard;
 
    procedure Check_All_Well is
-      --  All but the priorities, where this machine does not allow them
-      E : Emulators.Emulator;
-      S : Supervisor;
+      --  All but the priorities, where this machine does not allow them. The
+      --  terminal of a container's user may have the number of the line's
+      E     : Emulators.Emulator;
+      Login : Child;
+      S     : Supervisor;
    begin
       E.Start (Camera => True);
+      Login.Start
+        ("sh",
+         Words ("-c|exec setsid --ctty sh -c 'echo ready; exec sleep 100' <"
+                & E.Device, Separator => '|'));
+      Check
+        (Login.Awaited (Output, "ready", Patience) > 0, "it has no terminal");
       S.Run ("--check --port 0 --bind 127.0.0.1 --serial " & E.Device
              & " --camera " & E.Camera_Url);
       declare
@@ -394,27 +402,14 @@ procedure Server_Tests is
    end Check_All_Well;
 
    procedure Check_Line_In_Use is
-      --  By a login, or the kernel
+      --  By the kernel; by a login, only a machine with a real line shows
       use Ada.Text_IO;
       Options : constant String :=
         "--check --port 0 --bind 127.0.0.1 --serial ";
       Console : constant String := "/dev/ttyS0";
-      E       : Emulators.Emulator;
-      Login   : Child;
       Table   : File_Type;
       Is_One  : Boolean := False;
    begin
-      E.Start (Camera => False);
-      Login.Start
-        ("sh",
-         Words ("-c|exec setsid --ctty sh -c 'echo ready; exec sleep 100' <"
-                & E.Device, Separator => '|'));
-      Check
-        (Login.Awaited (Output, "ready", Patience) > 0, "it has no terminal");
-      Expect_Console
-        (Options & E.Device, 1,
-         "not ok  serial line " & E.Device & ": sleep (process "
-         & Image (Integer (Login.Pid)) & ") has it as its terminal");
       Open (Table, In_File, "/proc/consoles");
       while not End_Of_File (Table) loop
          Is_One := Is_One or else Index (Get_Line (Table), " 4:64") > 0;
