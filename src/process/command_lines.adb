@@ -34,14 +34,17 @@ package body Command_Lines with SPARK_Mode is
          when First_Marker => "--print-markers",
          when Marker_Size  => "--marker-size");
 
-   procedure Fail (R : in out Reading; Reason : String) is
+   procedure Fail (R : in out Reading; Reason : String)
+   with Post => R.Request = Wrong and then R.Chosen.Bind = R.Chosen.Bind'Old
+   is
    begin
       R.Request := Wrong;
       Texts.Set (R.Reason, Reason);
    end Fail;
 
-   procedure Fail_Without_Value (R : in out Reading) is
-      --  The option's value is missing
+   procedure Fail_Without_Value (R : in out Reading)
+   with Post => R.Request = Wrong and then R.Chosen.Bind = R.Chosen.Bind'Old
+   is
    begin
       Fail (R, "a value is missing after ");
       Texts.Append (R.Reason, Name_Of (R.Awaited));
@@ -267,7 +270,7 @@ package body Command_Lines with SPARK_Mode is
         Argument'Length > 2 and then Argument (1 .. 2) = "--";
       Equals  : constant Natural := Index (Argument, "=");
       Last    : constant Natural :=
-        (if Equals > 0 then Equals - 1 else Argument'Last);
+        (if Equals > 0 then Equals - 1 else Argument'Length);
       --  of the option's name
    begin
       if R.Request in Settled_Kind then

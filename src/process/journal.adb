@@ -1,5 +1,6 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
 
+with Ada.Real_Time; use Ada.Real_Time;
 with Bounded_Queues;
 with Event;
 with Schedule;
@@ -73,7 +74,7 @@ package body Journal with SPARK_Mode is
          loop
             Item :=
               (Level   => Level,
-               At_Time => Time_Of (0, Now - Start),
+               At_Time => To_Duration (Now - Start),
                Length  => Natural'Min (Max_Text, Text'Length - Done),
                others  => <>);
             for K in 1 .. Item.Length loop

@@ -2,7 +2,6 @@
 --  The log on its way to the console: a bounded buffer, so that no task waits
 --  for the console.
 
-with Ada.Real_Time; use Ada.Real_Time;
 with Command_Lines;
 with Options;
 
@@ -20,7 +19,7 @@ package Journal with SPARK_Mode is
 
    type Line is record
       Level   : Options.Level := Options.Info;
-      At_Time : Time := Time_First;
+      At_Time : Duration := 0.0;
       --  since the supervisor started
       Length  : Natural range 0 .. Max_Text := 0;
       Text    : String (1 .. Max_Text) := (others => ' ');

@@ -31,10 +31,9 @@ package body Support_Tasks with SPARK_Mode is
          --  "[seconds.milliseconds] level: text"
          Texts.Set (Text, "[");
          Trace.Append_Time
-           (Text, Item.At_Time, Step => 1_000_000, Width => 3);
-         Texts.Append (Text, "] ");
-         Texts.Append (Text, Options.Name_Of (Item.Level));
-         Texts.Append (Text, ": ");
+           (Text, Time_Of (0, To_Time_Span (Item.At_Time)),
+            Step => 1_000_000, Width => 3);
+         Texts.Append (Text, "] " & Options.Name_Of (Item.Level) & ": ");
          Texts.Append (Text, Item.Text (1 .. Item.Length));
          Console.Put_Log (Text.Data (1 .. Text.Length));
       end loop;
