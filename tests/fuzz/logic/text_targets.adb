@@ -6,7 +6,6 @@ with Base64_Texts;
 with Command_Lines;
 with Expectations;     use Expectations;
 with Input_Readers;    use Input_Readers;
-with Texts;
 
 package body Text_Targets is
 
