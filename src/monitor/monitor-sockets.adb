@@ -161,11 +161,8 @@ is
    end Get_Info;
 
    procedure Poll (Entries : in out Watch_Array; Wait_Ms : int) is
-      Ignored : constant int :=
-        Linux.Poll (Entries'Address, Entries'Length, Wait_Ms);
-      pragma Unreferenced (Ignored);
    begin
-      null;
+      Linux.Poll (Entries'Address, Entries'Length, Wait_Ms);
    end Poll;
 
    procedure Shut_Down (S : Socket; How : int) is

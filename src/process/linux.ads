@@ -26,9 +26,8 @@ package Linux with SPARK_Mode => Off is
       Nanoseconds : long;
    end record with Convention => C;
 
-   function Poll
+   procedure Poll
      (Entries : System.Address; Count : unsigned_long; Wait_Ms : int)
-      return int
    with Import, Convention => C, External_Name => "poll";
 
    function Precise_Poll

@@ -6,6 +6,7 @@ with Linux;
 with System.Storage_Elements; use System.Storage_Elements;
 
 package body Process.Privileges with SPARK_Mode => Off is
+   --  Off: addresses are passed to C
 
    type Capability is range 0 .. 31;
 

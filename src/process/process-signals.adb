@@ -7,6 +7,7 @@ with Schedule;
 with System;
 
 package body Process.Signals with SPARK_Mode => Off is
+   --  Off: addresses are passed to C
 
    type Signal_Set is array (1 .. 16) of Unsigned_64 with Convention => C;
    --  1024 bits, as glibc's, from signal 1 on
