@@ -61,11 +61,11 @@ package body Missions.Driving with SPARK_Mode is
    Learning_Way : constant := 40_000;
    --  Micrometres. Nothing is learnt from shorter drives
    Long_Way     : constant := 100_000;
-   --  A surprise in a shorter drive is not believed
+   --  An unexpected result of a shorter drive is no reason for checks
 
    Most_Way  : constant Weight := 600 ** 2;
    Most_Turn : constant Weight := 300 ** 2;
-   --  So that what changes later is still learnt
+   --  Bounds, so that later changes are still learnt
 
    Surprise  : constant := 4_000_000;
    --  Microdegrees: deviation of the heading after a drive, in addition to
@@ -73,14 +73,14 @@ package body Missions.Driving with SPARK_Mode is
 
    Same_Place   : constant := 9_000;
    Same_Heading : constant := 3_000_000;
-   --  An image that differs more from the mean shows another place
+   --  An image within these limits shows the same place as the mean
 
    Side_Way  : constant := 2_500;
    --  Micrometres. The robot does not turn if it would pass the target by less
 
    First_Way : constant := 200;
-   --  Millimetres of a drive before anything is known: a mission looks at it
-   --  in time even if the robot is slow
+   --  Millimetres of the first drive: short, so that its result is seen in
+   --  time even if the robot is slow
 
    procedure Add_Place (R : in out Resting; Where : Near_Pose) is
 
@@ -177,8 +177,8 @@ package body Missions.Driving with SPARK_Mode is
       Ordered : Degrees;
 
       procedure Shorten (Aimed : Boolean) is
-         --  Until the drive is permitted, after the turn or as the robot
-         --  stands; 0: it never is
+         --  Length, until the drive is permitted: after the turn if Aimed,
+         --  otherwise with the present heading. 0: it never is
       begin
          while Length > 0
            and then not Is_Good
@@ -246,7 +246,7 @@ package body Missions.Driving with SPARK_Mode is
          else abs Wide (M.Turned) * Million);
       Slack  : constant Wide := (if Drives then Upset_Way else Surprise);
       Still  : constant Wide := (if Drives then 1_000 else Million);
-      --  Less is none: that is seen of a robot at rest
+      --  Less than this is measured on a robot at rest
    begin
       Amiss :=
         (if Seen + Slack >= Asked * Wide (Gain'First) / 10_000
@@ -286,7 +286,7 @@ package body Missions.Driving with SPARK_Mode is
           and then Value in Low .. High,
         Post => Value in Low .. High
       is
-         --  With what has been Seen, whose weight is Amount
+         --  Value, with what has been Seen, whose weight is Amount
          Known : constant Wide := Wide (Value);
          Gap   : constant Wide :=
            Within (Seen, Wide (Low), Wide (High)) - Known;

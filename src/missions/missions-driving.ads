@@ -1,6 +1,6 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  The robot's movements in the arena: what a mission learns of them, where
---  they may lead, and which one leads on.
+--  The robot's movements in the arena: what a mission learns from them, which
+--  ones are permitted, and which one is next.
 
 with Missions.Angles; use Missions.Angles;
 
@@ -8,12 +8,12 @@ package Missions.Driving with SPARK_Mode, Pure is
 
    pragma Annotate (GNATprove, Terminating, Missions.Driving);
 
-   --  The guard: the room that the robot needs at the border of the arena, and
-   --  whether a drive stays inside whatever is not known of it
+   --  The guard: whether a drive stays inside the arena, also with the largest
+   --  error of what is known of the robot
 
    Robot_Radius  : constant Micrometres := 62_000;
    Braking       : constant Micrometres := 8_000;
-   --  How far the robot may be beyond its believed place
+   --  How far the robot may be beyond the place where it is believed to be
    Margin        : constant Micrometres := Robot_Radius + Braking;
    Target_Margin : constant Micrometres := 80_000;
    --  Of its centre from the border
@@ -50,10 +50,10 @@ package Missions.Driving with SPARK_Mode, Pure is
       Move  : Drive_Length;
       Doubt : Doubts;
       Size  : Arena_Size) return Boolean;
-   --  Wherever the robot comes, it is inside the arena less Margin, or not
-   --  further out than it was
+   --  Everywhere on the drive, the robot is inside the arena less Margin, or
+   --  not further out than before
 
-   --  Lengths and turns as they will be
+   --  Lengths and turns of the actual movement
 
    function True_Length (Move : Drive_Length; By : Gain) return Micrometres
    is (Micrometres (Move * By / 10));
@@ -69,11 +69,11 @@ package Missions.Driving with SPARK_Mode, Pure is
    --  What is learnt
 
    subtype Weight is Integer range 0 .. 1_000_000;
-   --  Of what is known: the square of the degrees or millimetres that it was
+   --  Of a learnt value: the square of the degrees or millimetres that it was
    --  learnt from
 
    Distrusted : constant := 5;
-   --  Turns that are checked after a surprise
+   --  Number of turns that are checked by images after an unexpected result
 
    type Knowledge is record
       Turns       : Gain   := 12_000;
@@ -91,7 +91,7 @@ package Missions.Driving with SPARK_Mode, Pure is
    end record;
 
    Upset_Way : constant := 15_000;
-   --  Micrometres from its place in a turn: more means that it was moved
+   --  Micrometres: a robot that turns stays within this, unless it is moved
 
    subtype Degrees is Integer range -400 .. 400;
 
@@ -100,20 +100,21 @@ package Missions.Driving with SPARK_Mode, Pure is
       Turned : Degrees := 0;
       Driven : Drive_Length := 0;
    end record;
-   --  What was ordered since the robot was looked at: a turn, then a drive
+   --  What was ordered since the robot was last looked at: a turn, then a
+   --  drive
 
    type Turn_Part is record
       Turned : Bearing := 0;
-      --  0: no image has shown a part
+      --  in that image; 0: there is none
       Seen   : Microseconds := 0;
       Ended  : Microseconds := 0;
    end record;
-   --  The first image in a turn that shows a good part of it: how much, when
-   --  after the order; and when the turn had ended
+   --  The first image in a turn that shows a good part of it. Seen, Ended:
+   --  its time and the turn's end, after the order
 
    function Knows_Way (K : Knowledge) return Boolean is
      (K.Way_Weight >= 60 ** 2);
-   --  Drives have been learnt from
+   --  At least one long drive has been learnt from
 
    function Knows_Turn (K : Knowledge) return Boolean is
      (K.Turn_Weight >= 25 ** 2);
@@ -132,7 +133,7 @@ package Missions.Driving with SPARK_Mode, Pure is
    is (Normal
          (Now.Heading - M.From.Heading
           - Normal (True_Turn (M.Turned, K.Turns))));
-   --  What was turned, without a drive, beyond what was expected
+   --  How far a turn without a drive went beyond what was expected
 
    function Turn_Seen (K : Knowledge; M : Movements; Now : Near_Pose)
      return Microdegrees
@@ -147,9 +148,9 @@ package Missions.Driving with SPARK_Mode, Pure is
       Amiss    : out Movement_Kind;
       Measured : out Percent;
       Is_Above : out Boolean);
-   --  What was ordered with what is seen now. Amiss: no Gain explains them;
-   --  Halt: one does. Measured: what was seen of what was ordered, 0 of a
-   --  robot at rest; Is_Above: more than that
+   --  What was ordered with what is seen now. Amiss: the kind of movement that
+   --  no Gain explains, or Halt. Measured: the movement seen, of the ordered
+   --  one, 0 for a robot at rest. Is_Above: it is larger than ordered
 
    function Doubts_Of (K : Knowledge; Turned : Degrees) return Doubts is
      ((Longest =>
@@ -186,7 +187,7 @@ package Missions.Driving with SPARK_Mode, Pure is
      (K : in out Knowledge; Part : Turn_Part; Turned : Microdegrees);
    --  Turned: the whole turn
 
-   --  Where the robot rests
+   --  The place of a robot at rest
 
    Max_Images : constant := 8;
    subtype Image_Count is Natural range 0 .. Max_Images;
@@ -196,28 +197,28 @@ package Missions.Driving with SPARK_Mode, Pure is
       Mean      : Near_Pose;
       --  of Count images
       Expected  : Boolean := False;
-      --  Count = 0: the mean is where it should be
+      --  Count = 0: Mean is computed from the drive
       Confirmed : Boolean := False;
-      --  and the first image showed it there
+      --  the first image has shown the robot at the computed place
    end record;
 
    procedure Add_Place (R : in out Resting; Where : Near_Pose)
    with Post => R.Count > 0;
-   --  The newest image; its heading does not count
+   --  The newest image, without its heading
 
    procedure Add_Image (R : in out Resting; Where : Near_Pose);
-   --  The same of the robot at rest. One that shows it elsewhere is the first
-   --  of a new mean
+   --  The newest image of a robot at rest. If it shows another place, it is
+   --  the first of a new mean
 
    function After_Drive
      (K : Knowledge; From : Near_Pose; Driven : Drive_Length)
       return Near_Pose;
    --  Where the robot should be
 
-   --  What leads on
+   --  The next movement
 
    subtype Turn_Count is Natural range 0 .. 2;
-   --  Turns since the last drive; 2: or more
+   --  Turns since the last drive; 2 stands for two or more
 
    procedure Choose
      (Here, Goal : Near_Pose;
@@ -232,7 +233,7 @@ package Missions.Driving with SPARK_Mode, Pure is
        (if Movement = Drive then
            Is_Permitted
              (Pose_Of (Here), Amount, Doubts_Of (K, Turned), Size));
-   --  A turn or a drive towards Goal, of a robot that rests Here and has
-   --  Turned since it was looked at; Halt: none is permitted
+   --  A turn or a drive towards Goal, for a robot that rests Here and has
+   --  Turned since it was last looked at. Halt: none is permitted
 
 end Missions.Driving;

@@ -1,6 +1,6 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  The ground of a mission: the state of robot, camera and monitor without
---  which it may not begin, and with whose end it ends.
+--  The ground of a mission: the state of robot and camera that it needs to
+--  begin and to go on.
 
 with Ada.Real_Time; use Ada.Real_Time;
 with Missions.Arenas;
@@ -29,7 +29,7 @@ package Missions.Grounds with SPARK_Mode is
 
    Position_Limit : constant Time_Span :=
      Ada.Real_Time.Microseconds (Integer (Max_Age));
-   --  The robot may be elsewhere after this
+   --  An older position is not used: the robot may be elsewhere
 
    function Has_Position (G : Ground) return Boolean is
      (G.Seen.Seen and then G.Now <= G.Seen.Came + Position_Limit);
@@ -67,18 +67,18 @@ package Missions.Grounds with SPARK_Mode is
          or else G.View.Arena /= Begun.View.Arena
        then Camera_Ended
        else Completed);
-   --  What ends the mission that has begun on Begun, by G; Completed: nothing
-   --  does. Is_Over: its session has ended. By_Hand: an order by hand has come
-   --  after it
+   --  What in G ends the mission that has begun on Begun; Completed: nothing.
+   --  Is_Over: its session has ended. By_Hand: an order by hand has come after
+   --  the mission's
 
    --  Times and places as Missions.Runs has them
 
    Lead : constant := 1_000_000;
-   --  The time at which a mission begins: the image that it begins with is
+   --  The time at which a mission begins. Above 0, because its first image is
    --  older
 
    function Since (Begun, At_Time : Time) return Microseconds;
-   --  Lead at Begun, and 0 where At_Time is more than that before it
+   --  Begun is at Lead. 0 if At_Time is earlier than Begun by more than Lead
 
    function Next_Time
      (Begun, Now : Time; Due : Microseconds) return Time;

@@ -31,8 +31,8 @@ package body Missions.Runs with SPARK_Mode is
    end Finish;
 
    procedure Finish_Amiss (R : in out Run; What : Movement_Kind) is
-      --  It goes so far amiss, as measured; Halt, or none measured: it does
-      --  not go on
+      --  Movements of that kind have another length than ordered. Halt, or
+      --  none measured: the robot makes no progress
    begin
       Finish
         (R,
@@ -253,8 +253,8 @@ package body Missions.Runs with SPARK_Mode is
              and then not R.Ended
              and then Orders_Left (R) < Orders_Left (R'Old))
    is
-      --  The robot rests where it is believed to be: gives an order, waits for
-      --  more images, or ends the mission
+      --  For a robot at rest: gives an order, waits for more images, or ends
+      --  the mission
       Centre   : constant Near_Pose :=
         (X       => Near (R.Size.Width) * 5_000,
          Y       => Near (R.Size.Height) * 5_000,
@@ -279,9 +279,8 @@ package body Missions.Runs with SPARK_Mode is
          end if;
 
          if R.Learnable then
-            --  What was ordered since the last look with what is seen now: it
-            --  ends the mission if no Gain explains them twice in a row, or
-            --  at once if it was too much
+            --  If no Gain explains what is seen, the mission ends: at once if
+            --  the robot moved further than ordered, else the second time
             Compare (R.Known, R.Made, R.Rest.Mean, Amiss, Part, Is_Above);
             if Amiss = Halt then
                if R.Made.Driven = 0
@@ -420,7 +419,7 @@ package body Missions.Runs with SPARK_Mode is
                   end if;
 
                when Commands.Timed_Out =>
-                  --  It may have been taken: whether the robot moves tells
+                  --  The robot may have taken it: it is asked whether it moves
                   R.Sure   := False;
                   R.Ask_At := Now;
                   if R.Movement = Halt then

@@ -1,6 +1,6 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  The run of a mission: from what the camera has seen and what the robot has
---  been told, the next order or none.
+--  The run of a mission: decides the next order from the images and from the
+--  answers to earlier orders.
 
 with Commands;
 with Missions.Angles;  use Missions.Angles;
@@ -21,9 +21,9 @@ package Missions.Runs with SPARK_Mode is
 
    type Sighting is record
       Number : Natural      := 0;
-      --  of the image: another one for each
+      --  of the image: each has another
       Taken  : Microseconds := 0;
-      --  when it came from the camera. What it shows may be older
+      --  when it came from the camera: it was exposed earlier
       Seen   : Boolean      := False;
       --  exactly one robot is in it
       Where  : Pose;
@@ -51,7 +51,8 @@ package Missions.Runs with SPARK_Mode is
    with Pre => Has_Ended (R);
 
    function Measured (R : Run) return Percent;
-   --  Turns_Amiss, Drives_Amiss: what the robot did of what was ordered
+   --  For Turns_Amiss and Drives_Amiss: the robot's movement, of the ordered
+   --  one
 
    function Leg (R : Run) return Point_Number;
    --  The target that is driven to
@@ -64,14 +65,14 @@ package Missions.Runs with SPARK_Mode is
    --  Used in the contracts
 
    function Orders_Left (R : Run) return Natural with Ghost;
-   --  Of the whole mission
+   --  In the whole mission
 
    function Is_Permitted
      (R : Run; Request : Commands.Request; Now : Microseconds) return Boolean
    with Ghost;
-   --  The time of the leg is not over. And it is a stop; or, while the newest
-   --  position is at most Max_Age old, a turn, or a drive that the guard
-   --  permits from where the robot is believed to rest
+   --  A stop while the leg has time left; a turn if also the newest position
+   --  is at most Max_Age old; a drive if also the guard permits it from where
+   --  the robot is believed to rest
 
    function Is_Kept (R, Before : Run) return Boolean is
      (Orders_Left (R) <= Orders_Left (Before)
@@ -113,7 +114,7 @@ package Missions.Runs with SPARK_Mode is
    procedure Tell
      (R : in out Run; Result : Commands.Outcome; Now : Microseconds)
    with Post => Is_Kept (R, R'Old);
-   --  What has become of the last action (Ask, Order, Stop)
+   --  The result of the last action (Ask, Order, Stop)
 
    procedure End_By (R : in out Run; Why : Abort_Reason)
    with
@@ -130,7 +131,7 @@ private
 
    --  Microseconds, micrometres, microdegrees
 
-   --  The robot as it is meant to be
+   --  The nominal robot
 
    Time_Per_Millimetre : constant := 5_000;   --  200 mm/s
    Time_Per_Degree     : constant := 11_112;  --  90 degrees/s
@@ -157,8 +158,8 @@ private
    --  What images show
 
    Good_Part     : constant := 20_000_000;
-   --  A turn seen halfway has turned so far at least, and four times this at
-   --  most: its rate is learnt from that
+   --  The camera's latency is learnt from an image within a turn, after the
+   --  robot has turned by this, and four times this at most
 
    Enough_Images : constant := 2;
    Many_Images   : constant := 4;
@@ -172,8 +173,7 @@ private
          when 0 .. 1          => 6_000,
          when 2               => 8_000,
          when 3 .. Max_Images => 9_000);
-   --  So near to the target, it is reached: the more images, the better it is
-   --  known
+   --  A target is reached at this distance. More images give a better mean
 
    type Phase_Kind is
      (Looking,  --  the robot rests, or will within an image: wait for images
@@ -200,13 +200,13 @@ private
       --  Limits
       Leg_End     : Microseconds := 0;
       Orders      : Natural range 0 .. Max_Orders := Max_Orders;
-      --  left in the leg
+      --  that the leg has left
       Refusals    : Natural range 0 .. Refusal_Limit := 0;
       --  in a row
       Missing     : Natural range 0 .. Max_Missing := 0;
       Anchor      : Near_Pose;
       Anchored    : Microseconds := 0;
-      --  where and when it was far from where it had been
+      --  where and when the robot last made progress
 
       --  The newest image, and the newest with the robot
       Number      : Natural := 0;
@@ -224,7 +224,7 @@ private
       Amount      : Integer range -5_000 .. 5_000 := 0;
       --  degrees or millimetres of the last order
       Sure        : Boolean := False;
-      --  it was taken
+      --  the robot has taken the order
       Given       : Microseconds := 0;
       Ask_At      : Microseconds := 0;
 
@@ -232,7 +232,7 @@ private
       Rest_From   : Microseconds := 0;
       Rest        : Resting;
       Upset       : Boolean := False;
-      --  in a turn, an image showed it elsewhere
+      --  in a turn, an image showed that it was moved
 
       Part        : Turn_Part;
       --  of the last turn
@@ -243,9 +243,9 @@ private
       Turns_Made  : Turn_Count := 0;
 
       Amiss       : Movement_Kind := Halt;
-      --  Turn, Drive: the last look at one showed no Gain,
+      --  Turn, Drive: no Gain explained the last one that was looked at
       Measured    : Percent := 0;
-      --  but this
+      --  the robot's movement, of what was ordered then
 
       Known       : Knowledge;
    end record;
@@ -262,7 +262,7 @@ private
 
    function Has_Position (R : Run; Now : Microseconds) return Boolean is
      (R.Seen_At <= Now and then Now - R.Seen_At <= Max_Age);
-   --  An order may follow from it
+   --  New enough for an order
 
    function Is_Permitted
      (R : Run; Request : Commands.Request; Now : Microseconds) return Boolean
