@@ -84,10 +84,9 @@ package body Both_Ends is
    end Connect;
 
    procedure Disconnect (Where : Place) is
-      Unused : int;
    begin
       if States (Where).Socket >= 0 then
-         Unused := Libc.Close (States (Where).Socket);
+         Libc.Close (States (Where).Socket);
          States (Where).Socket := -1;
       end if;
    end Disconnect;

@@ -404,7 +404,7 @@ package body Deadline_Times is
          Reports.Put_Number
            (Name, Float (Value), "",
             Wanted => (if Most < 0 then Reports.No_Goals
-                       else (1 => (Reports.Value, Float (Most), False))));
+                       else (1 => (Reports.Value, Float (Most)))));
       end Put;
 
       procedure Run_Session is

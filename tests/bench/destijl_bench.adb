@@ -50,7 +50,6 @@ procedure Destijl_Bench is
      & "sections (all of them):" & Sections (Section'First) & LF
      & "   --samples N   of each distribution (2000)" & LF
      & "   --seconds N   of each measurement that lasts (60)" & LF
-     & "   --quick       200 samples, 10 seconds" & LF
      & "   --service     tasks, responses: as the unit starts" & LF
      & "                 it; the last from end to end," & LF
      & "                 too; tasks, traces two minutes at most" & LF
@@ -74,9 +73,6 @@ procedure Destijl_Bench is
          elsif Name = "--check" then
             Bench_Settings.As_Service := True;
             Bench_Settings.Only_Checked := True;
-         elsif Name = "--quick" then
-            Bench_Settings.Seconds := 10;
-            Bench_Settings.Sample_Count := 200;
          elsif Name = "--file" then
             Bench_Settings.Trace_File := To_Unbounded_String (Value);
          elsif Name = "--out" then

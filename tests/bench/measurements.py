@@ -172,10 +172,8 @@ def shown(value: float | str, figure: str, unit: str) -> str:
 
 
 def label(figure: str, unit: str) -> str:
-    if figure in ("value", "floor"):
-        return ("floor, " if figure == "floor" else "") + (unit or "number")
-    if figure == "ratio":
-        return figure
+    if figure == "value":
+        return unit or "number"
     if figure.endswith("_ratio"):
         figure = figure.removesuffix("_ratio")
         return "ratio, " + LABELS.get(figure, figure)
@@ -187,10 +185,7 @@ def label(figure: str, unit: str) -> str:
 def goal_of(rows: list[Row], figure: str, what: str) -> list[str]:
     """Its cells: the goal, and in how many runs it was met."""
     goals = [row.get("goals", {}).get(figure, {}) for row in rows]
-    limits = [
-        next((f"{k} {g[k]:,g}" for k in ("at most", "at least") if k in g), "")
-        for g in goals
-    ]
+    limits = [f"at most {g['at most']:,g}" if g else "" for g in goals]
     if len(set(limits)) > 1:
         raise Wrong(f"{what}: runs with other goals: {', '.join(limits)}")
     if not limits[0]:

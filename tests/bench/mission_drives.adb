@@ -151,7 +151,7 @@ package body Mission_Drives is
       Reports.Put_Number ("missions", Float (Count.Missions), "");
       Reports.Put_Number
         ("missions that did not end as meant", Float (Count.Otherwise), "",
-         Wanted => (1 => (Reports.Value, 0.0, False)));
+         Wanted => (1 => (Reports.Value, 0.0)));
    end Report;
 
 end Mission_Drives;

@@ -283,7 +283,7 @@ package body Order_Times is
          if Measurable (Under) then
             Reports.Compare
               (Name & ", " & Title, Both (Ours), Both (Floor),
-               ((Median_Ratio, 1.5, False), (P99_Ratio, 2.0, False)));
+               ((Median_Ratio, 1.5), (P99_Ratio, 2.0)));
          end if;
       end Compare_One;
 
@@ -292,7 +292,7 @@ package body Order_Times is
       Reports.Compare
         (Name & ", idle, with --trace, to the same without",
          Which (Beside_Traced) (Traced), Which (Beside_Traced) (Ours),
-         (1 => (Median_Ratio, 1.02, False)));
+         (1 => (Median_Ratio, 1.02)));
       Compare_One ("full load", Loaded);
       Compare_One ("idle, as a service", Service);
       Compare_One ("full load, as a service", Loaded_Service);
@@ -310,7 +310,7 @@ package body Order_Times is
       Reports.Put_Number
         ("longest stop, beyond the time-out and an order's p99.9",
          1.0E6 * Float (Stops.Quantile (1.0) - Limit), "us",
-         Wanted => (1 => (Reports.Value, 0.0, False)));
+         Wanted => (1 => (Reports.Value, 0.0)));
       Reports.Put_Note
         (Image (Left_Out)
          & " exchanges were repeated: something else was on the line, or"
@@ -326,7 +326,7 @@ package body Order_Times is
       Compare ("answer", Answers);
       Reports.Put ("answer, while images stream, default gap",
                    Answers (With_Gap) (Ours),
-                   (1 => (Reports.P999, 10_000.0, False)));
+                   (1 => (Reports.P999, 10_000.0)));
       Reports.End_Section;
    end Report_Answers;
 

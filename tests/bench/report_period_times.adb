@@ -114,7 +114,7 @@ procedure Report_Period_Times is
       --  its last lines
       Floor := Cyclictest_Latencies (Cyclic (Of_Subject)).From_Least;
       Reports.Compare (Name & ", to cyclictest", Ours, Floor,
-                       (1 => (Reports.P999_Ratio, 1.5, False)));
+                       (1 => (Reports.P999_Ratio, 1.5)));
    end Compare;
 
 begin

@@ -202,11 +202,10 @@ package body Task_Times is
    end End_Exchange;
 
    procedure Stop is
-      Unused : int;
    begin
       Watch.Stop;
       for Item of Threads loop
-         Unused := Libc.Close (Item.File);
+         Libc.Close (Item.File);
       end loop;
    end Stop;
 
@@ -218,7 +217,7 @@ package body Task_Times is
       begin
          if Budget > 0.0 then
             Reports.Put (Name, Set,
-                         (1 => (Reports.P999, 1.0E6 * Float (Budget), False)));
+                         (1 => (Reports.P999, 1.0E6 * Float (Budget))));
             Number := Number + Set.Count;
             Above := Above + Set.Count_Above (Budget);
          end if;

@@ -17,6 +17,7 @@ with Programs;
 with Reports;
 with Response_Times;        use Response_Times;
 with Rigs;                  use Rigs;
+with Samples;
 with Schedule;
 with Service_Starts;
 with Supervisor_Model;      use Supervisor_Model;
@@ -24,6 +25,16 @@ with Trace_Files;           use Trace_Files;
 with Vision.Image_Grid;
 
 package body Trace_Responses is
+
+   type Response is record
+      Times : Samples.Set;
+      Bound : Duration := 0.0;
+      --  of this machine; 0.0: the analysis has none
+      Above : Natural  := 0;
+      --  how many were longer
+   end record;
+
+   type Response_Array is array (Activity_Name) of Response;
 
    Never : constant Nanoseconds := -1;
 
@@ -359,6 +370,10 @@ package body Trace_Responses is
       Result   : out Response_Array;
       Orders   : out Response)
    is
+      --  Apart: the supervisor ran with --cpu. Missions: the bounds are those
+      --  beside missions. Orders: of missions, from the arrival of the image
+      --  to the frame of the order. Raises Trace_Files.Bad_Trace where Path
+      --  is no trace
       T      : Trace;
       States : State_Array;
       Image  : Sight;
@@ -461,10 +476,10 @@ package body Trace_Responses is
       procedure Put (Name : String; Item : Response) is
       begin
          if Item.Times.Count > 0 then
-            Reports.Put (Name, Item.Times,
-                         (if Item.Bound = 0.0 then Reports.No_Goals
-                          else (1 => (Reports.Max, 1.0E6 * Float (Item.Bound),
-                                      False))));
+            Reports.Put
+              (Name, Item.Times,
+               (if Item.Bound = 0.0 then Reports.No_Goals
+                else (1 => (Reports.Max, 1.0E6 * Float (Item.Bound)))));
          end if;
       end Put;
 
@@ -480,7 +495,7 @@ package body Trace_Responses is
          end loop;
          Reports.Put_Number (What, Float (Number), "");
          Reports.Put_Number (What & " above their bounds", Float (Above), "",
-                             Wanted => (1 => (Reports.Value, 0.0, False)));
+                             Wanted => (1 => (Reports.Value, 0.0)));
       end Put_Sum;
 
       Own    : constant String := Programs.Temporary_Folder & "/trace.txt";

@@ -2,9 +2,6 @@
 --  The response times of the tasks, out of a file of --trace, beside the
 --  bounds of the response-time analysis.
 
-with Budgets;
-with Samples;
-
 package Trace_Responses is
 
    --  An activity is what the analysis calls one: what a task does between
@@ -16,30 +13,6 @@ package Trace_Responses is
    --      ended (the analysis takes these for one after the other);
    --    - the kernel (socket, robot's answer, camera): when the task has
    --      seen it. The kernel's own latency is missing there.
-
-   type Response is record
-      Times : Samples.Set;
-      Bound : Duration := 0.0;
-      --  of this machine; 0.0: the analysis has none
-      Above : Natural  := 0;
-      --  how many were longer
-   end record;
-
-   type Response_Array is array (Budgets.Activity_Name) of Response;
-
-   procedure Read
-     (Path     : String;
-      Apart    : Boolean;
-      Missions : Boolean;
-      Result   : out Response_Array;
-      Orders   : out Response);
-   --  Apart: the supervisor ran with --cpu. Missions: the bounds are those
-   --  beside missions. Orders: of missions, from the arrival of the image to
-   --  the frame of the order. Raises Trace_Files.Bad_Trace where Path is no
-   --  trace
-
-   function Name_Of (Name : Budgets.Activity_Name) return String;
-   --  Of its task, and what part of its work it is
 
    procedure Report (Path : String);
    --  Of the trace in the file Path; where it is empty, of one that is made

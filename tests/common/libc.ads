@@ -24,7 +24,7 @@ package Libc is
 
    function Clock_Gettime
      (Clock : int; Time : access Timespec) return int
-   with Import, Convention => C, External_Name => "clock_gettime";
+   with Import, Convention => C;
 
    --  Files
 
@@ -38,49 +38,46 @@ package Libc is
    O_Cloexec : constant int := 8#2000000#;
 
    function Pipe2 (Ends : out Pipe_Ends; Flags : int) return int
-   with Import, Convention => C, External_Name => "pipe2";
+   with Import, Convention => C;
 
    function Open (Path : char_array; Flags : int) return int
-   with Import, Convention => C_Variadic_2, External_Name => "open";
+   with Import, Convention => C_Variadic_2;
 
    function Read
      (File : int; Buffer : System.Address; Size : size_t) return long
-   with Import, Convention => C, External_Name => "read";
+   with Import, Convention => C;
 
    function Pread
      (File : int; Buffer : System.Address; Size : size_t; Offset : long)
       return long
-   with Import, Convention => C, External_Name => "pread";
+   with Import, Convention => C;
 
    function Write
      (File : int; Buffer : System.Address; Size : size_t) return long
-   with Import, Convention => C, External_Name => "write";
+   with Import, Convention => C;
 
-   function Close (File : int) return int
-   with Import, Convention => C, External_Name => "close";
+   procedure Close (File : int) with Import, Convention => C;
 
    function Chmod (Path : char_array; Mode : unsigned) return int
-   with Import, Convention => C, External_Name => "chmod";
+   with Import, Convention => C;
 
    function Chown (Path : char_array; User, Group : unsigned) return int
-   with Import, Convention => C, External_Name => "chown";
+   with Import, Convention => C;
 
    function Readlink
      (Path : char_array; Buffer : System.Address; Size : size_t) return long
-   with Import, Convention => C, External_Name => "readlink";
+   with Import, Convention => C;
    --  Its length, without a NUL; negative if there is none
 
-   function Dup2 (File, Onto : int) return int
-   with Import, Convention => C, External_Name => "dup2";
+   procedure Dup2 (File, Onto : int) with Import, Convention => C;
 
    function Symlink (Target, Path : char_array) return int
-   with Import, Convention => C, External_Name => "symlink";
+   with Import, Convention => C;
 
-   function Unlink (Path : char_array) return int
-   with Import, Convention => C, External_Name => "unlink";
+   procedure Unlink (Path : char_array) with Import, Convention => C;
 
    function Rename (From, To : char_array) return int
-   with Import, Convention => C, External_Name => "rename";
+   with Import, Convention => C;
 
    --  Waiting: see Polls
 
@@ -104,29 +101,26 @@ package Libc is
       Count : unsigned_long;
       Wait  : access constant Timespec;
       Mask  : System.Address) return int
-   with Import, Convention => C, External_Name => "ppoll";
+   with Import, Convention => C;
 
    function Eventfd (Initial : unsigned; Flags : int) return int
-   with Import, Convention => C, External_Name => "eventfd";
+   with Import, Convention => C;
 
    --  Terminals: see Pseudo_Terminals
 
-   function Posix_Openpt (Flags : int) return int
-   with Import, Convention => C, External_Name => "posix_openpt";
+   function Posix_Openpt (Flags : int) return int with Import, Convention => C;
 
-   function Grantpt (Master : int) return int
-   with Import, Convention => C, External_Name => "grantpt";
+   function Grantpt (Master : int) return int with Import, Convention => C;
 
-   function Unlockpt (Master : int) return int
-   with Import, Convention => C, External_Name => "unlockpt";
+   function Unlockpt (Master : int) return int with Import, Convention => C;
 
    function Ptsname_R
      (Master : int; Name : System.Address; Size : size_t) return int
-   with Import, Convention => C, External_Name => "ptsname_r";
+   with Import, Convention => C;
 
    function Ioctl (File : int; Request : unsigned_long;
                    Value : System.Address) return int
-   with Import, Convention => C_Variadic_2, External_Name => "ioctl";
+   with Import, Convention => C_Variadic_2;
 
    Tiocnxcl  : constant unsigned_long := 16#540D#;
    Tiocgexcl : constant unsigned_long := 16#8004_5440#;
@@ -136,7 +130,7 @@ package Libc is
    Lock_Un : constant int := 8;
 
    function Flock (File, Operation : int) return int
-   with Import, Convention => C, External_Name => "flock";
+   with Import, Convention => C;
 
    type Terminal_Attributes is array (1 .. 256) of unsigned_char
    with Alignment => 8;
@@ -146,22 +140,20 @@ package Libc is
    Tcsanow : constant int := 0;
 
    function Tcgetattr (File : int; Value : System.Address) return int
-   with Import, Convention => C, External_Name => "tcgetattr";
+   with Import, Convention => C;
 
    function Tcsetattr
      (File : int; Action : int; Value : System.Address) return int
-   with Import, Convention => C, External_Name => "tcsetattr";
+   with Import, Convention => C;
 
-   procedure Cfmakeraw (Value : System.Address)
-   with Import, Convention => C, External_Name => "cfmakeraw";
+   procedure Cfmakeraw (Value : System.Address) with Import, Convention => C;
 
-   function Cfsetspeed (Value : System.Address; Speed : unsigned) return int
-   with Import, Convention => C, External_Name => "cfsetspeed";
+   procedure Cfsetspeed (Value : System.Address; Speed : unsigned)
+   with Import, Convention => C;
 
    --  Processes
 
-   function Fork return int
-   with Import, Convention => C, External_Name => "fork";
+   function Fork return int with Import, Convention => C;
 
    type Argument_Vector is array (Natural range <>) of aliased chars_ptr
    with Convention => C;
@@ -177,25 +169,23 @@ package Libc is
 
    function Waitpid
      (Process : int; Status : access int; Options : int) return int
-   with Import, Convention => C, External_Name => "waitpid";
+   with Import, Convention => C;
 
    function Kill (Process, Signal : int) return int
-   with Import, Convention => C, External_Name => "kill";
+   with Import, Convention => C;
 
    function Tgkill (Process, Thread, Signal : int) return int
-   with Import, Convention => C, External_Name => "tgkill";
+   with Import, Convention => C;
 
    Pr_Set_Pdeathsig  : constant int := 1;
    Pr_Set_Timerslack : constant int := 29;
 
-   function Prctl (Option : int; Value : unsigned_long) return int
-   with Import, Convention => C_Variadic_1, External_Name => "prctl";
+   procedure Prctl (Option : int; Value : unsigned_long)
+   with Import, Convention => C_Variadic_1;
 
-   function Geteuid return unsigned
-   with Import, Convention => C, External_Name => "geteuid";
+   function Geteuid return unsigned with Import, Convention => C;
 
-   function Getpid return int
-   with Import, Convention => C, External_Name => "getpid";
+   function Getpid return int with Import, Convention => C;
 
    --  Signals
 
@@ -213,12 +203,12 @@ package Libc is
 
    Set_Mask : constant int := 2;
 
-   function Sigemptyset (Set : access Signal_Set) return int
-   with Import, Convention => C, External_Name => "sigemptyset";
+   procedure Sigemptyset (Set : access Signal_Set)
+   with Import, Convention => C;
 
-   function Sigprocmask
-     (How : int; Set, Old : access Signal_Set) return int
-   with Import, Convention => C, External_Name => "sigprocmask";
+   procedure Sigprocmask
+     (How : int; Set, Old : access Signal_Set)
+   with Import, Convention => C;
 
    Default_Action : constant System.Address := System.Null_Address;
 
@@ -226,7 +216,7 @@ package Libc is
 
    function Signal
      (Number : int; Action : System.Address) return System.Address
-   with Import, Convention => C, External_Name => "signal";
+   with Import, Convention => C;
 
    --  Scheduling
 
@@ -242,25 +232,23 @@ package Libc is
    end record with Convention => C;
 
    function Sched_Getscheduler (Thread : int) return int
-   with Import, Convention => C, External_Name => "sched_getscheduler";
+   with Import, Convention => C;
 
    function Sched_Setscheduler
      (Thread : int; Policy : int; Param : access Sched_Param) return int
-   with Import, Convention => C, External_Name => "sched_setscheduler";
+   with Import, Convention => C;
    --  Thread 0 is the caller
 
-   function Nice (Increment : int) return int
-   with Import, Convention => C, External_Name => "nice";
+   procedure Nice (Increment : int) with Import, Convention => C;
    --  Of the calling thread
 
-   function Mlockall (Flags : int) return int
-   with Import, Convention => C, External_Name => "mlockall";
+   procedure Mlockall (Flags : int) with Import, Convention => C;
 
    --  Network namespaces
 
    Clone_Newnet : constant int := 16#4000_0000#;
 
    function Setns (File : int; Kind : int) return int
-   with Import, Convention => C, External_Name => "setns";
+   with Import, Convention => C;
 
 end Libc;

@@ -28,31 +28,27 @@ package body Own_Process is
    end Real_Time_Allowed;
 
    procedure Wake_On_Time is
-      Unused : int;
    begin
-      Unused := Libc.Prctl (Libc.Pr_Set_Timerslack, 1);
+      Libc.Prctl (Libc.Pr_Set_Timerslack, 1);
    end Wake_On_Time;
 
    procedure Give_Way is
-      Unused : int;
    begin
-      Unused := Libc.Nice (5);
+      Libc.Nice (5);
    end Give_Way;
 
    procedure Go_First is
-      Unused : int;
    begin
-      Unused := Libc.Nice (-10);
+      Libc.Nice (-10);
    end Go_First;
 
    procedure Lock_Memory is
       Once_Used : constant := 7;
       --  MCL_CURRENT, MCL_FUTURE, MCL_ONFAULT
-      Unused    : int;
    begin
       --  anybody else may lock a little, and could not get more memory then
       if Libc.Geteuid = 0 then
-         Unused := Libc.Mlockall (Once_Used);
+         Libc.Mlockall (Once_Used);
       end if;
    end Lock_Memory;
 

@@ -10,12 +10,11 @@ package body Pseudo_Terminals is
    procedure Make_Raw (Terminal : int; Done : out Boolean) is
       --  8 bits, no echo, nothing translated, 9600 baud for who asks
       Value   : Terminal_Attributes := (others => 0);
-      Ignored : int;
    begin
       Done := Tcgetattr (Terminal, Value'Address) = 0;
       if Done then
          Cfmakeraw (Value'Address);
-         Ignored := Cfsetspeed (Value'Address, B9600);
+         Cfsetspeed (Value'Address, B9600);
          Done := Tcsetattr (Terminal, Tcsanow, Value'Address) = 0;
       end if;
    end Make_Raw;
@@ -34,22 +33,20 @@ package body Pseudo_Terminals is
 
    procedure Close (File : in out int) is
       --  It is Closed afterwards
-      Ignored : int;
    begin
       if File /= Closed then
-         Ignored := Libc.Close (File);
+         Libc.Close (File);
          File := Closed;
       end if;
    end Close;
 
    procedure Close (L : in out Line) is
-      Ignored : int;
    begin
       Close (L.Slave);
       Close (L.Master);
       if L.Socket /= Closed then
          Close (L.Socket);
-         Ignored := Unlink (To_C (Device (L)));
+         Unlink (To_C (Device (L)));
       end if;
       L.Length := 0;
    end Close;
@@ -153,7 +150,6 @@ package body Pseudo_Terminals is
 
    function Place_Link (Path, Target : String) return String is
       Own     : constant String := Path & ".new";
-      Ignored : int;
    begin
       if Symlink (To_C (Target), To_C (Path)) = 0 then
          return "";
@@ -169,7 +165,7 @@ package body Pseudo_Terminals is
       --  By renaming, so that there is a link at every moment
 
       if Target_Of (Own) /= "" then
-         Ignored := Unlink (To_C (Own));
+         Unlink (To_C (Own));
       end if;
       if Symlink (To_C (Target), To_C (Own)) = 0
         and then Rename (To_C (Own), To_C (Path)) = 0
@@ -180,10 +176,9 @@ package body Pseudo_Terminals is
    end Place_Link;
 
    procedure Remove_Link (Path, Target : String) is
-      Ignored : int;
    begin
       if Target_Of (Path) = Target then
-         Ignored := Unlink (To_C (Path));
+         Unlink (To_C (Path));
       end if;
    end Remove_Link;
 

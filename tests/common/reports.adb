@@ -132,17 +132,14 @@ package body Reports is
       Met  : Boolean;
    begin
       for G of Wanted loop
-         Met := (if G.At_Least then Known (G.Of_What) >= G.Limit
-                 else Known (G.Of_What) <= G.Limit);
+         Met := Known (G.Of_What) <= G.Most;
          Put_Line
-           ("      goal " & Key (G.Of_What)
-            & (if G.At_Least then " >= " else " <= ") & Rounded (G.Limit)
+           ("      goal " & Key (G.Of_What) & " <= " & Rounded (G.Most)
             & (if Met then ": met" else ": NOT MET"));
          Append (List,
                  (if Length (List) = 0 then "" else ", ")
-                 & """" & Key (G.Of_What) & """: {"""
-                 & (if G.At_Least then "at least" else "at most") & """: "
-                 & Rounded (G.Limit, 3) & ", ""met"": "
+                 & """" & Key (G.Of_What) & """: {""at most"": "
+                 & Rounded (G.Most, 3) & ", ""met"": "
                  & (if Met then "true" else "false") & "}");
       end loop;
       if Wanted'Length > 0 then
@@ -220,9 +217,9 @@ package body Reports is
          End_Row (No_Goals);
       elsif Kept.Of_All then
          Known (Missed_Ran) := Float (Kept.Missed_Ran);
-         End_Row ((1 => (Missed_Ran, 0.0, False)));
+         End_Row ((1 => (Missed_Ran, 0.0)));
       else
-         End_Row ((1 => (P999, Micro (Kept.Limit), False)));
+         End_Row ((1 => (P999, Micro (Kept.Limit))));
       end if;
    end Put_Deadline;
 
@@ -230,22 +227,12 @@ package body Reports is
      (Name   : String;
       Value  : Float;
       Unit   : String;
-      Floor  : Float := No_Floor;
       Wanted : Goals := No_Goals) is
    begin
       Begin_Row (Name, Unit);
       Note (Reports.Value, Value);
-      if Floor >= 0.0 then
-         Note ("floor", Floor);
-      end if;
-      if Floor > 0.0 then
-         Note (Ratio, Value / Floor);
-      end if;
-      Put_Line (Head (Name, Name_Width)
-                & Column ((if Floor > 0.0 then Rounded (Value / Floor) & " x"
-                           else ""))
-                & Column (Rounded (Value)) & " " & Unit
-                & (if Floor >= 0.0 then ", floor " & Rounded (Floor) else ""));
+      Put_Line (Head (Name, Name_Width) & Column ("")
+                & Column (Rounded (Value)) & " " & Unit);
       End_Row (Wanted);
    end Put_Number;
 

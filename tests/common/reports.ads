@@ -18,24 +18,22 @@ package Reports is
    procedure End_Section;
 
    type Figure is
-     (Value, Ratio, Missed_Ran, Median, P99, P999, Max,
+     (Value, Missed_Ran, Median, P99, P999, Max,
       Median_Ratio, P99_Ratio, P999_Ratio, Max_Ratio);
-   --  Of a row. Value and Ratio: of a number; the others: of times, and
-   --  Missed_Ran of those that have a deadline
+   --  Of a row. Value: of a number; the others: of times, and Missed_Ran of
+   --  those that have a deadline
 
    subtype Ratio_Figure is Figure range Median_Ratio .. Max_Ratio;
 
    type Goal is record
-      Of_What  : Figure;
-      Limit    : Float;
+      Of_What : Figure;
+      Most    : Float;
       --  in the unit of the row (times: us), or a ratio
-      At_Least : Boolean := False;
-      --  otherwise at most
    end record;
 
    type Goals is array (Positive range <>) of Goal;
 
-   No_Goals : constant Goals (1 .. 0) := (others => (Value, 0.0, False));
+   No_Goals : constant Goals (1 .. 0) := (others => (Value, 0.0));
 
    procedure Put
      (Name : String; Ours : Samples.Set; Wanted : Goals := No_Goals);
@@ -70,15 +68,12 @@ package Reports is
    --  Missed_Ran has the goal 0 where Kept.Of_All; otherwise the p99.9 has
    --  that of the limit
 
-   No_Floor : constant Float := -1.0;
-
    procedure Put_Number
      (Name   : String;
       Value  : Float;
       Unit   : String;
-      Floor  : Float := No_Floor;
       Wanted : Goals := No_Goals);
-   --  One figure, with the floor's if there is one
+   --  One figure
 
    procedure Adopt (Path : String);
    --  The sections in the file of another program, which has printed them

@@ -165,7 +165,7 @@ procedure Image_Times is
          Reports.Compare
            (Name & "following", Follow, Full,
             (if Prefix = "search: "
-             then (1 => (Reports.Median_Ratio, 0.2, False))
+             then (1 => (Reports.Median_Ratio, 0.2))
              else Reports.No_Goals));
       end if;
       Reports.Put (Name & "whole image", Full);

@@ -190,7 +190,6 @@ package body Child_Processes is
       Errors  : Libc.Pipe_Ends;
       Empty   : aliased Libc.Signal_Set;
       Pid     : int;
-      Unused  : int;
       Unused_Action : System.Address;
    begin
       Object.Stop;
@@ -208,21 +207,21 @@ package body Child_Processes is
              and then Libc.Pipe2 (Output, Libc.O_Cloexec) = 0
              and then Libc.Pipe2 (Errors, Libc.O_Cloexec) = 0,
              "no pipe to be had");
-      Unused := Libc.Sigemptyset (Empty'Access);
+      Libc.Sigemptyset (Empty'Access);
 
       Pid := Libc.Fork;
       if Pid = 0 then
          --  Between fork and exec only calls that need no lock: other tasks
          --  may have held any at the moment of the fork.
-         Unused := Libc.Prctl
+         Libc.Prctl
            (Libc.Pr_Set_Pdeathsig, unsigned_long (Libc.Sigkill));
-         Unused := Libc.Sigprocmask (Libc.Set_Mask, Empty'Access, null);
+         Libc.Sigprocmask (Libc.Set_Mask, Empty'Access, null);
          Unused_Action := Libc.Signal (Libc.Sigpipe, Libc.Default_Action);
          --  which nohup ignores, and so would the supervisor
          Unused_Action := Libc.Signal (Libc.Sighup, Libc.Default_Action);
-         Unused := Libc.Dup2 (Input (0), 0);
-         Unused := Libc.Dup2 (Output (1), 1);
-         Unused := Libc.Dup2 (Errors (1), 2);
+         Libc.Dup2 (Input (0), 0);
+         Libc.Dup2 (Output (1), 1);
+         Libc.Dup2 (Errors (1), 2);
          Libc.Execv (Vector (0), Vector);
          Libc.Exit_Now (127);
       end if;
@@ -230,13 +229,13 @@ package body Child_Processes is
       for Word of Vector loop
          Free (Word);
       end loop;
-      Unused := Libc.Close (Input (0));
-      Unused := Libc.Close (Output (1));
-      Unused := Libc.Close (Errors (1));
+      Libc.Close (Input (0));
+      Libc.Close (Output (1));
+      Libc.Close (Errors (1));
       if Pid < 0 then
-         Unused := Libc.Close (Input (1));
-         Unused := Libc.Close (Output (0));
-         Unused := Libc.Close (Errors (0));
+         Libc.Close (Input (1));
+         Libc.Close (Output (0));
+         Libc.Close (Errors (0));
          Free (Object.Inner);
          raise Failed with "cannot start " & Program;
       end if;
@@ -298,10 +297,9 @@ package body Child_Processes is
    end Put_Line;
 
    procedure Close_Input (Object : in out Child) is
-      Unused : int;
    begin
       if Object.Inner /= null and then Object.Inner.Input >= 0 then
-         Unused := Libc.Close (Object.Inner.Input);
+         Libc.Close (Object.Inner.Input);
          Object.Inner.Input := -1;
       end if;
    end Close_Input;
@@ -385,7 +383,6 @@ package body Child_Processes is
    procedure Finalize (Object : in out Child) is
       Kept   : constant array (Stream) of Positive :=
         (Output => 4, Errors => 40);
-      Unused : int;
    begin
       if Object.Inner = null then
          return;
@@ -400,7 +397,7 @@ package body Child_Processes is
             delay 0.001;
          end loop;
          if Object.Inner.Readers (From)'Terminated then
-            Unused := Libc.Close (Object.Inner.Outputs (Stream'Pos (From)));
+            Libc.Close (Object.Inner.Outputs (Stream'Pos (From)));
          end if;
       end loop;
       for From in Stream loop

@@ -79,6 +79,7 @@ package body Network_Links is
    end Run_There;
 
    function Obstacle return String is
+      --  Why no link can be made here; "" if it can
       use type GNAT.OS_Lib.String_Access;
       Tool : GNAT.OS_Lib.String_Access;
    begin
@@ -170,22 +171,20 @@ package body Network_Links is
    procedure Enter (Namespace : String) is
       File   : int;
       Result : int;
-      Unused : int;
    begin
       Home := Libc.Open
         (To_C ("/proc/thread-self/ns/net"), Libc.O_Rdonly + Libc.O_Cloexec);
       File := Libc.Open
         (To_C ("/run/netns/" & Namespace), Libc.O_Rdonly + Libc.O_Cloexec);
       Result := Libc.Setns (File, Libc.Clone_Newnet);
-      Unused := Libc.Close (File);
+      Libc.Close (File);
       Check (Result = 0, "cannot enter the namespace " & Namespace);
    end Enter;
 
    procedure Leave is
       Result : constant int := Libc.Setns (Home, Libc.Clone_Newnet);
-      Unused : int;
    begin
-      Unused := Libc.Close (Home);
+      Libc.Close (Home);
       Check (Result = 0, "cannot leave the namespace");
    end Leave;
 

@@ -11,14 +11,11 @@ package Network_Links is
    function Monitor_Side return String;
    --  Addresses are per process: several may run at a time
 
-   function Obstacle return String;
-   --  Why no link can be made here; "" if it can
-
    type Link is tagged limited private;
    --  Removed at the end of its scope
 
    procedure Make (Object : in out Link);
-   --  Raises Failed, or Skipped if there is an Obstacle
+   --  Raises Failed, or Skipped where none can be made, with the reason
 
    function Namespace (Object : Link) return String;
 

@@ -2,6 +2,8 @@
 --  The run of a program of unit tests.
 
 with Ada.Containers.Indefinite_Vectors;
+with AUnit.Assertions;
+with GNAT.Source_Info;
 
 package Unit_Runs is
 
@@ -11,6 +13,14 @@ package Unit_Runs is
 
    procedure Run_Test (Title : String; Action : not null access procedure);
    --  Runs a test of the group
+
+   procedure Assert
+     (Condition : Boolean;
+      Message   : String;
+      Source    : String  := GNAT.Source_Info.File;
+      Line      : Natural := GNAT.Source_Info.Line)
+   renames AUnit.Assertions.Assert;
+   --  The test fails unless Condition
 
    package Line_Vectors is
      new Ada.Containers.Indefinite_Vectors (Positive, String);

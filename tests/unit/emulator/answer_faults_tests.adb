@@ -1,8 +1,6 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
 --  What goes wrong with an answer on request.
 
-with AUnit.Assertions; use AUnit.Assertions;
-
 with Answer_Faults;    use Answer_Faults;
 with Robot_Core;       use Robot_Core;
 with Unit_Runs; use Unit_Runs;

@@ -2,7 +2,6 @@
 --  What judges missions.
 
 with Ada.Strings.Unbounded; use Ada.Strings.Unbounded;
-with AUnit.Assertions;      use AUnit.Assertions;
 
 with Emulators;
 with Instants;              use Instants;
@@ -19,11 +18,18 @@ procedure Mission_Judges_Tests is
    Two : constant Plan := Read ("10,10,0", "MPCM:30;10;30.00;30.0");
    --  200 mm, a quarter to the left, 200 mm
 
+   J    : Judge;
+   V    : Verdict;
+   Time : Duration;
+
+   procedure Begin_Anew is
+   begin
+      Start (J, Two);
+      Time := 0.0;
+   end Begin_Anew;
+
    procedure Drive
-     (J              : in out Judge;
-      Time           : in out Duration;
-      X1, Y1, X2, Y2 : Micro;
-      Positions      : Boolean := True)
+     (X1, Y1, X2, Y2 : Micro; Positions : Boolean := True)
    is
       --  A straight line in millimetres, one a millisecond; a position each
       --  time
@@ -43,10 +49,7 @@ procedure Mission_Judges_Tests is
       end loop;
    end Drive;
 
-   procedure Judge_It
-     (J : Judge; V : in out Verdict; Wrong : String := "";
-      Said : String := "done")
-   is
+   procedure Judge_It (Wrong : String := ""; Said : String := "done") is
       --  Wrong is what is wrong, "" nothing
    begin
       Conclude (J, Two, Said, 4.5, 3, V);
@@ -74,24 +77,21 @@ procedure Mission_Judges_Tests is
    end Test_Bad_Plans;
 
    procedure Test_Blind is
-      J    : Judge;
-      V    : Verdict;
-      Time : Duration := 0.0;
    begin
-      Start (J, Two);
-      Drive (J, Time, 100, 100, 300, 100);
-      Drive (J, Time, 300, 100, 300, 300, Positions => False);
-      Judge_It (J, V);
+      Begin_Anew;
+      Drive (100, 100, 300, 100);
+      Drive (300, 100, 300, 300, Positions => False);
+      Judge_It;
       Assert (V.Blind in 0.195 .. 0.205, "blind for" & V.Blind'Image);
 
       --  At rest it may be blind for long
       Time := Time + 5.0;
       See_Position (J, Time);
-      Drive (J, Time, 300, 300, 300, 300, Positions => False);
-      Judge_It (J, V);
+      Drive (300, 300, 300, 300, Positions => False);
+      Judge_It;
 
-      Drive (J, Time, 300, 300, 300, 500, Positions => False);
-      Drive (J, Time, 300, 500, 300, 250, Positions => False);
+      Drive (300, 300, 300, 500, Positions => False);
+      Drive (300, 500, 300, 250, Positions => False);
       Conclude (J, Two, "done", 4.5, 3, V);
       Assert (V.Blind in 0.44 .. 0.46
               and then V.Wrong = Integer (V.Blind * 1_000)'Image (2 .. 4)
@@ -99,54 +99,44 @@ procedure Mission_Judges_Tests is
    end Test_Blind;
 
    procedure Test_Ends is
-      J    : Judge;
-      V    : Verdict;
-      Time : Duration := 0.0;
    begin
-      Start (J, Two);
-      Drive (J, Time, 100, 100, 200, 100);
-      Judge_It (J, V, "", Said => "aborted;no way");
+      Begin_Anew;
+      Drive (100, 100, 200, 100);
+      Judge_It (Said => "aborted;no way");
       Assert (not V.Done and then To_String (V.Reason) = "no way"
               and then V.Passed = 0,
               "an end that is told");
-      Judge_It (J, V, "no end was said", Said => "");
-      Judge_It (J, V, "said done, 2 points not passed", Said => "done");
+      Judge_It ("no end was said", Said => "");
+      Judge_It ("said done, 2 points not passed", Said => "done");
       See_Pose (J, Time, (300_000, 100_000, 0), Driving => True);
-      Judge_It (J, V, "drives after its end", Said => "aborted;no way");
+      Judge_It ("drives after its end", Said => "aborted;no way");
       Assert (V.Passed = 1, "passed" & V.Passed'Image);
    end Test_Ends;
 
    procedure Test_Order_Of_Points is
-      J    : Judge;
-      V    : Verdict;
-      Time : Duration := 0.0;
    begin
-      Start (J, Two);
-      Drive (J, Time, 300, 300, 300, 100);
-      Judge_It (J, V, "said done, 1 points not passed");
-      Drive (J, Time, 300, 100, 300, 300);
-      Judge_It (J, V);
+      Begin_Anew;
+      Drive (300, 300, 300, 100);
+      Judge_It ("said done, 1 points not passed");
+      Drive (300, 100, 300, 300);
+      Judge_It;
    end Test_Order_Of_Points;
 
    procedure Test_Passes is
-      J    : Judge;
-      V    : Verdict;
-      Time : Duration := 0.0;
    begin
-      Start (J, Two);
-      Drive (J, Time, 100, 114, 300, 114);
-      Drive (J, Time, 300, 114, 300, 290);
-      Judge_It (J, V);
+      Begin_Anew;
+      Drive (100, 114, 300, 114);
+      Drive (300, 114, 300, 290);
+      Judge_It;
       Assert (abs (V.Pass - 14.0) < 0.001 and then V.Passed = 2
               and then V.Orders = 3 and then V.Time = 4.5,
               "passed at" & V.Pass'Image);
       Assert (abs (Ratio (V) - 1.5) < 0.001, "ratio" & Ratio (V)'Image);
 
-      Start (J, Two);
-      Time := 0.0;
-      Drive (J, Time, 100, 100, 300, 100);
-      Drive (J, Time, 300, 100, 300, 284);
-      Judge_It (J, V, "said done, 1 points not passed");
+      Begin_Anew;
+      Drive (100, 100, 300, 100);
+      Drive (300, 100, 300, 284);
+      Judge_It ("said done, 1 points not passed");
       Assert (abs (V.Pass - 16.0) < 0.001, "passed at" & V.Pass'Image);
    end Test_Passes;
 
@@ -242,17 +232,14 @@ procedure Mission_Judges_Tests is
    end Test_Replay;
 
    procedure Test_Walls is
-      J    : Judge;
-      V    : Verdict;
-      Time : Duration := 0.0;
    begin
-      Start (J, Two);
-      Drive (J, Time, 300, 100, 300, 300);
-      Drive (J, Time, 300, 300, 737, 300);
-      Judge_It (J, V);
+      Begin_Anew;
+      Drive (300, 100, 300, 300);
+      Drive (300, 300, 737, 300);
+      Judge_It;
       Assert (abs (V.Clearance - 1.0) < 0.001, "room" & V.Clearance'Image);
-      Drive (J, Time, 737, 300, 738, 300);
-      Judge_It (J, V, "has touched a wall");
+      Drive (737, 300, 738, 300);
+      Judge_It ("has touched a wall");
    end Test_Walls;
 
 begin

@@ -1,11 +1,8 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
 --  Packets, delays and losses of a pair of radios.
 
-with Ada.Containers.Generic_Array_Sort;
-
-with AUnit.Assertions; use AUnit.Assertions;
-
 with Radio_Links;      use Radio_Links;
+with Samples;
 with Unit_Runs;        use Unit_Runs;
 
 procedure Radio_Links_Tests is
@@ -16,11 +13,6 @@ procedure Radio_Links_Tests is
    Ms   : constant := 1_000_000;
 
    Exchanges : constant := 10_000;
-
-   type Times is array (Positive range <>) of Time;
-
-   procedure Sort is new Ada.Containers.Generic_Array_Sort
-     (Positive, Time, Times);
 
    procedure Exchange
      (There, Back : in out Link;
@@ -56,32 +48,24 @@ procedure Radio_Links_Tests is
       Took := Clock - Ended;
    end Exchange;
 
-   function Above (Sorted : Times; Limit : Time) return Natural is
-      --  Exchanges that took longer
-      Result : Natural := 0;
-   begin
-      for T of Sorted loop
-         Result := Result + Boolean'Pos (T > Limit);
-      end loop;
-      return Result;
-   end Above;
-
-   procedure Exchange_All (C : Chances; Sorted : out Times; Lost : out Natural)
+   procedure Exchange_All
+     (C : Chances; Times : out Samples.Set; Lost : out Natural)
    is
       --  Commands of 3 to 9 bytes in turn, 50 ms apart
       There : Link := (Seed => 2, others => <>);
       Back  : Link := (Seed => 3, others => <>);
       Clock : Time := 0;
+      Took  : Time;
       Misses : Boolean;
    begin
       Lost := 0;
-      for K in Sorted'Range loop
-         Exchange
-           (There, Back, C, 3 + 2 * (K mod 4), Clock, Sorted (K), Misses);
+      Times.Clear;
+      for K in 1 .. Exchanges loop
+         Exchange (There, Back, C, 3 + 2 * (K mod 4), Clock, Took, Misses);
+         Times.Add (Duration (Took) / 1_000_000_000);
          Lost  := Lost + Boolean'Pos (Misses);
          Clock := Clock + 50 * Ms;
       end loop;
-      Sort (Sorted);
    end Exchange_All;
 
    procedure Test_Bursts is
@@ -111,22 +95,22 @@ procedure Radio_Links_Tests is
    procedure Test_Delays is
       --  Against the model with the real firmware: 35.6 ms at the median, 68
       --  at p99, 78 to 90 at most
-      All_Of : Times (1 .. Exchanges);
+      All_Of : Samples.Set;
       Lost   : Natural;
    begin
       Exchange_All ((others => <>), All_Of, Lost);
       Assert (Lost = 0, "lost");
-      Assert (All_Of (1) >= 22 * Ms, "faster than its parts");
-      Assert (All_Of (Exchanges / 2) in 33 * Ms .. 38 * Ms,
-              "median" & All_Of (Exchanges / 2)'Image);
-      Assert (All_Of (Exchanges * 99 / 100) in 63 * Ms .. 73 * Ms,
-              "p99" & All_Of (Exchanges * 99 / 100)'Image);
-      Assert (All_Of (Exchanges) in 78 * Ms .. 110 * Ms,
-              "longest" & All_Of (Exchanges)'Image);
+      Assert (All_Of.Quantile (0.0) >= 0.022, "faster than its parts");
+      Assert (All_Of.Quantile (0.5) in 0.033 .. 0.038,
+              "median" & All_Of.Quantile (0.5)'Image);
+      Assert (All_Of.Quantile (0.99) in 0.063 .. 0.073,
+              "p99" & All_Of.Quantile (0.99)'Image);
+      Assert (All_Of.Quantile (1.0) in 0.078 .. 0.110,
+              "longest" & All_Of.Quantile (1.0)'Image);
    end Test_Delays;
 
    procedure Test_Losses is
-      All_Of : Times (1 .. Exchanges);
+      All_Of : Samples.Set;
       Lost   : Natural;
    begin
       --  A command or its answer: 1 - 0.97 ** 2 are 5.91 %
@@ -179,17 +163,17 @@ procedure Radio_Links_Tests is
    procedure Test_Retries is
       --  Of the model: with 10 % 80 ms are too short for 2.8 % of all
       --  exchanges, 150 ms for 0.04 %
-      All_Of : Times (1 .. Exchanges);
+      All_Of : Samples.Set;
       Lost   : Natural;
    begin
       Exchange_All ((Retries => 10, others => <>), All_Of, Lost);
-      Assert (Above (All_Of, 80 * Ms) in 230 .. 330,
-              "80 ms:" & Above (All_Of, 80 * Ms)'Image);
-      Assert (Above (All_Of, 150 * Ms) in 1 .. 10,
-              "150 ms:" & Above (All_Of, 150 * Ms)'Image);
+      Assert (All_Of.Count_Above (0.080) in 230 .. 330,
+              "80 ms:" & All_Of.Count_Above (0.080)'Image);
+      Assert (All_Of.Count_Above (0.150) in 1 .. 10,
+              "150 ms:" & All_Of.Count_Above (0.150)'Image);
       Exchange_All ((Retries => 0, others => <>), All_Of, Lost);
-      Assert (All_Of (Exchanges) < 50 * Ms,
-              "without:" & All_Of (Exchanges)'Image);
+      Assert (All_Of.Quantile (1.0) < 0.050,
+              "without:" & All_Of.Quantile (1.0)'Image);
    end Test_Retries;
 
 begin

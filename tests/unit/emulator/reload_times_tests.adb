@@ -1,8 +1,6 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
 --  The supervisor's reloads at the firmware's state machine.
 
-with AUnit.Assertions; use AUnit.Assertions;
-
 with Robot.Line_Status; use Robot.Line_Status;
 with Robot_Core;
 with Robot_Motion;

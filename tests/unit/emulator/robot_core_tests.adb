@@ -1,11 +1,10 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
 --  The firmware's state machine, row by row of docs/wire.md.
 
-with Ada.Strings;       use Ada.Strings;
 with Ada.Strings.Fixed; use Ada.Strings.Fixed;
 with Ada.Strings.Maps;
-with AUnit.Assertions;  use AUnit.Assertions;
 
+with Plain_Numbers;
 with Robot_Core;        use Robot_Core;
 with Robot_Motion;
 with Unit_Runs;         use Unit_Runs;
@@ -327,7 +326,7 @@ procedure Robot_Core_Tests is
       Play (Watchdog_Disabled, "u>E W>E w>E M=0>E T=5>E = r>O =Idle W>O "
             & "missed:0 +10 w>O");
       for Ticks in 1 .. 20 loop
-         Play (R, "w>O +" & Trim (Ticks'Image, Left));
+         Play (R, "w>O +" & Plain_Numbers.Image (Ticks));
       end loop;
       Play (R, "=Run total:0");
 
@@ -520,34 +519,29 @@ procedure Robot_Core_Tests is
    procedure Test_Numbers is
       R : Robot := In_State (Run);
 
-      procedure Accepts (Number : String; Value : Integer) is
+      procedure Accepts (Order : String; Kind : Command_Kind; Value : Integer)
+      is
       begin
-         Expect (R, "M=" & Number, "O");
-         Assert (Result.Kind = Move and then Result.Amount = Value,
-                 "M=" & Number & " read as" & Result.Amount'Image);
-         Expect (R, "T=" & Number, "O");
-         Assert (Result.Kind = Turn and then Result.Amount = Value,
-                 "T=" & Number & " read as" & Result.Amount'Image);
+         Expect (R, Order, "O");
+         Assert (Result.Kind = Kind and then Result.Amount = Value,
+                 Order & " read as" & Result.Amount'Image);
       end Accepts;
 
    begin
-      Accepts ("0", 0);
-      Accepts ("1", 1);
-      Accepts ("-1", -1);
-      Accepts ("+7", 7);
-      Accepts ("  42", 42);
-      Accepts ("0000000000000000000000000123", 123);
-      Accepts ("12abc", 12);
-      Accepts ("12 34", 12);
-      Accepts ("1-2", 1);
-      Accepts ("32766", 32_766);
-      Accepts ("32767", 32_767);
-      Accepts ("32768", 32_767);
-      Accepts ("99999999999999999999999999999", 32_767);
-      Accepts ("-32767", -32_767);
-      Accepts ("-32768", -32_768);
-      Accepts ("-32769", -32_768);
-      Accepts ("-99999999999999999999999999999", -32_768);
+      for Row of Split
+        ("0:0|1:1|-1:-1|+7:7|  42:42|0000000000000000000000000123:123"
+         & "|12abc:12|12 34:12|1-2:1|32766:32766|32767:32767|32768:32767"
+         & "|99999999999999999999999999999:32767|-32767:-32767|-32768:-32768"
+         & "|-32769:-32768|-99999999999999999999999999999:-32768")
+      loop
+         declare
+            Number : constant String  := Split (Row, ':') (1);
+            Value  : constant Integer := Integer'Value (Split (Row, ':') (2));
+         begin
+            Accepts ("M=" & Number, Move, Value);
+            Accepts ("T=" & Number, Turn, Value);
+         end;
+      end loop;
 
       for Letter of String'("MT") loop
          for Rest of Split ("|=|=-|=+|=- 1|=+-1|=x|= |12| =12|:12") loop
@@ -563,7 +557,7 @@ procedure Robot_Core_Tests is
       procedure Try (Ticks : Natural; Answer, Misses : String) is
          R     : Robot := In_State (Idle);
          After : constant String :=
-           " +" & Trim (Ticks'Image, Left) & " w>" & Answer
+           " +" & Plain_Numbers.Image (Ticks) & " w>" & Answer
            & " missed:" & Misses;
       begin
          Play (R, "W>O" & After);

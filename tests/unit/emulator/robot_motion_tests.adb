@@ -5,8 +5,6 @@ with Ada.Numerics;
 with Ada.Numerics.Long_Elementary_Functions;
 with Ada.Strings.Fixed; use Ada.Strings.Fixed;
 
-with AUnit.Assertions; use AUnit.Assertions;
-
 with Robot_Motion;     use Robot_Motion;
 with Unit_Runs; use Unit_Runs;
 

@@ -1,8 +1,6 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
 --  What the robot was a while ago.
 
-with AUnit.Assertions; use AUnit.Assertions;
-
 with Robot_Core;       use Robot_Core;
 with Robot_Motion;     use Robot_Motion;
 with Robot_Pasts;      use Robot_Pasts;

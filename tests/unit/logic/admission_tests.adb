@@ -1,8 +1,6 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
 --  The token: its file, the line that shows it, and what the log shows.
 
-with AUnit.Assertions;         use AUnit.Assertions;
-
 with Admission; use Admission;
 with Texts;
 with Unit_Runs; use Unit_Runs;

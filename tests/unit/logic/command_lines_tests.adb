@@ -3,8 +3,6 @@
 
 with Ada.Strings.Fixed;
 
-with AUnit.Assertions; use AUnit.Assertions;
-
 with Command_Lines;    use Command_Lines;
 with Missions;
 with Options;          use Options;

@@ -1,7 +1,5 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  The robot's line: lost at the fourth failure, and back into step.
-
-with AUnit.Assertions; use AUnit.Assertions;
+--  The robot's line: back into step after a failure.
 
 with Bytes;
 with Robot.Health;     use Robot.Health;
@@ -82,29 +80,7 @@ procedure Line_Health_Tests is
       end loop;
    end Test_Late_Answers;
 
-   procedure Test_Probe_Order is
-      H : State;
-   begin
-      H := After_Failure (H, Move);
-      Assert (Probe (H) = Version, "first");
-      H := After_Failure (H, Version);
-      Assert (Probe (H) = Battery, "second");
-      H := After_Failure (H, Battery);
-      Assert (Probe (H) = Unknown_Letter, "third");
-      H := Initial;
-      H := After_Failure (H, Version);
-      H := After_Failure (H, Battery);
-      H := After_Failure (H, Unknown_Letter);
-      Assert (Probe (H) = Ping, "where only an acknowledgement is free");
-      H := Initial;
-      H := After_Failure (H, Busy);
-      Assert (Probe (H) = Version, "after a digit");
-      H := After_Failure (H, Version);
-      Assert (Probe (H) = Unknown_Letter, "no digit after a digit");
-   end Test_Probe_Order;
-
 begin
-   Run_Test ("order of the probes", Test_Probe_Order'Access);
    Run_Test ("a late answer never passes for the next",
              Test_Late_Answers'Access);
 end Line_Health_Tests;

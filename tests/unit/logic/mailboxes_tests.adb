@@ -3,8 +3,7 @@
 --  next, the gap and the hold, by a clock of the test's own.
 
 with Ada.Real_Time;
-
-with AUnit.Assertions;   use AUnit.Assertions;
+with Ada.Strings.Fixed; use Ada.Strings.Fixed;
 
 with Commands; use Commands;
 with Monitor.Mailboxes;  use Monitor.Mailboxes;
@@ -27,13 +26,8 @@ procedure Mailboxes_Tests is
    Now : Time;
    --  Of the test
 
-   procedure Answer
-     (Number : Ticket; Line : Monitor.Protocol.Short_Text := Acknowledged) is
-   begin
-      Put_Answer
-        (B, Number,
-         ((if Line.Length > 0 then Ready_Text else Ready_Nothing), Line));
-   end Answer;
+   Number : array (Character range 'a' .. 'c') of Ticket;
+   --  Of the commands of a script
 
    procedure Begin_Anew is
       --  A session with nothing in it.
@@ -45,7 +39,10 @@ procedure Mailboxes_Tests is
    end Begin_Anew;
 
    procedure Check
-     (Kind : Choice; Text : String := ""; Kept : Natural := Between)
+     (Kind   : Choice;
+      Text   : String  := "";
+      Kept   : Natural := Between;
+      Script : String  := "")
    is
       --  What is taken next, Kept ms after the one before; Text without its
       --  line feed, empty for an image.
@@ -53,36 +50,20 @@ procedure Mailboxes_Tests is
       Left : Boolean;
    begin
       Take (B, Between, Now, Now - Ms (Kept), Next, Left);
-      Assert (Next.Kind = Kind, Text & ": " & Next.Kind'Image);
+      Assert (Next.Kind = Kind,
+              Text & ": " & Next.Kind'Image & " in " & Script);
       Assert (Next.Unsent = (Kind /= Nothing), "to be sent");
       if Kind /= Nothing and then not Next.Is_Image then
          Assert (Next.Line.Data (1 .. Next.Line.Length) = Text & Line_Feed,
-                 Text & ", not " & Next.Line.Data (1 .. Next.Line.Length));
+                 Text & ", not " & Next.Line.Data (1 .. Next.Line.Length)
+                 & " in " & Script);
       end if;
       Assert (not Left, "the session lasts");
    end Check;
 
-   procedure Check_Gap (Expected : Natural) is
-      Due : constant Milliseconds := Gap (B, Next (B), Between);
-   begin
-      Assert (Due = Expected, "the gap is" & Due'Image);
-   end Check_Gap;
-
    function Is_Held return Boolean is
      (Hold_End (B) < Ada.Real_Time.Time_Last);
    --  Unsolicited messages are held back
-
-   procedure Check_Hold (Held : Boolean) is
-   begin
-      Assert (Is_Held = Held, "held back: " & Is_Held'Image);
-   end Check_Hold;
-
-   procedure Pass (Span : Ada.Real_Time.Time_Span) is
-      --  The time passes.
-   begin
-      Now := Now + Span;
-      End_Hold (B, Now);
-   end Pass;
 
    function Place return Ticket is
       --  Of the next command.
@@ -94,32 +75,84 @@ procedure Mailboxes_Tests is
       return Number;
    end Place;
 
-   procedure Put_Image is
-      Kept : Boolean;
-   begin
-      Put_Image (B, B.Made, Now, Kept);
-      Assert (Kept, "the image is kept");
-   end Put_Image;
+   function Line_Of (Word : String) return Short_Text is
+     (Short (Head (Word, Word'Length)));
+   --  Head makes its first index 1
 
-   procedure Put (Kind : Notice_Kind; Text : String; Number : Ticket := 0) is
-   begin
-      Put (B, (Kind, Short (Text), Number, B.Made), Now);
-   end Put;
+   function Kind_Of (Line : String) return Choice is
+     (if Line = "" then Nothing
+      elsif Line = "image" then Image
+      elsif Head (Line, 4) = "ATIM" then Lost
+      elsif Head (Line, 4) = "MSSG" then Text
+      elsif Head (Line, 4) = "MEND" then Ending
+      elsif Head (Line, 4) = "MPRG" then Progress
+      elsif Head (Line, 4) = "RBLV" then Battery
+      elsif Head (Line, 4) = "CPOS" then Position
+      else Answer);
 
-   procedure Put_Battery is
-   begin
-      Put (Battery, "RBLV:2");
-   end Put_Battery;
+   procedure Play (Script : String) is
+      --  Its words: a command "a", "b" or "c" arrives; "a=LINE" answers it,
+      --  "a=" with nothing; "image" and a line put an unsolicited message,
+      --  "a/LINE" one of the mission that it began; "+N": so many ms pass;
+      --  ">LINE" or ">image" is taken next, ">" nothing, "N>" so many ms after
+      --  the one before; "gap=N"; "held" and "free": unsolicited ones are held
+      --  back, or not
 
-   procedure Put_End (Number : Ticket; Text : String) is
-   begin
-      Put (Ending, Text, Number);
-   end Put_End;
+      procedure Put (Line : String; Of_Mission : Ticket := 0) is
+      begin
+         Put (B, (Kind_Of (Line), Line_Of (Line), Of_Mission, B.Made), Now);
+      end Put;
 
-   procedure Put_Progress (Number : Ticket; Text : String) is
+      procedure Carry_Out (Word : String) is
+         First : Character renames Word (Word'First);
+         Taken : constant Natural := Index (Word, ">");
+         Rest  : constant String := Word (Word'First + 2 .. Word'Last);
+         Kept  : Boolean;
+      begin
+         if Word = "image" then
+            Put_Image (B, B.Made, Now, Kept);
+            Assert (Kept, "the image is kept");
+         elsif Word in "held" | "free" then
+            Assert (Is_Held = (Word = "held"), "not " & Word & ": " & Script);
+         elsif Taken > 0 then
+            Check
+              (Kind_Of (Word (Taken + 1 .. Word'Last)),
+               Word (Taken + 1 .. Word'Last),
+               (if Taken = Word'First then Between
+                else Natural'Value (Word (Word'First .. Taken - 1))),
+               Script);
+         elsif First = '+' then
+            Now := Now + Ms (Integer'Value (Word));
+            End_Hold (B, Now);
+         elsif Head (Word, 4) = "gap=" then
+            Assert (Gap (B, Next (B), Between)'Image = " "
+                    & Word (Word'First + 4 .. Word'Last),
+                    "not " & Word & ": " & Script);
+         elsif Word'Length = 1 then
+            Number (First) := Place;
+         elsif Word (Word'First + 1) = '/' then
+            Put (Rest, Number (First));
+         elsif Word (Word'First + 1) = '=' then
+            Put_Answer
+              (B, Number (First),
+               (if Rest = "" then (Ready_Nothing, No_Line)
+                else (Ready_Text, Line_Of (Rest))));
+         else
+            Put (Word);
+         end if;
+      end Carry_Out;
+
    begin
-      Put (Progress, Text, Number);
-   end Put_Progress;
+      for Word of Split (Script, ' ') loop
+         Carry_Out (Word);
+      end loop;
+   end Play;
+
+   procedure Play_Anew (Script : String) is
+   begin
+      Begin_Anew;
+      Play (Script);
+   end Play_Anew;
 
    procedure Test_Arena is
       First, Second  : Ticket;
@@ -132,9 +165,9 @@ procedure Mailboxes_Tests is
       Assert (Accepted and then Kept, "kept for its turn");
       Put_Arena (B, First, Accepted, Kept);
       Assert (not Accepted, "the one before waits still");
-      Answer (First);
-      Check (Monitor.Mailboxes.Answer, "AACK");
-      Check (Monitor.Mailboxes.Answer);
+      Put_Answer (B, First, (Ready_Text, Acknowledged));
+      Check (Answer, "AACK");
+      Check (Answer);
       Put_Arena (B, Second, Accepted, Kept);
       Assert (Accepted and then not Kept, "answered already");
       Check (Nothing);
@@ -153,310 +186,131 @@ procedure Mailboxes_Tests is
       Assert (Pending (B) = Capacity, "full");
       Reserve (B, Now, Number, Result);
       Assert (Result = Full, "no more room");
-      Answer (First);
-      Check (Monitor.Mailboxes.Answer, "AACK");
+      Put_Answer (B, First, (Ready_Text, Acknowledged));
+      Check (Answer, "AACK");
       Assert (Place = First + Capacity, "room again");
    end Test_Full;
 
    procedure Test_Gap is
    begin
-      Begin_Anew;
-      Put (Position, "CPOS:one");
-      Put_Image;
-      Check_Gap (0);
-      Check (Image, Kept => 0);
-      Check_Gap (20);
-      Put_Image;
-      Put (Position, "CPOS:two");
-      Check (Nothing, Kept => 19);
-      Check (Position, "CPOS:two");
-      Answer (Place);
-      Check_Gap (4);
-      Check (Nothing, Kept => 3);
-      Check (Monitor.Mailboxes.Answer, "AACK", Kept => 4);
-      Check_Gap (20);
-      Check (Nothing, Kept => 19);
-      Check (Image);
-      Check_Gap (0);
-      Check (Nothing);
+      Play_Anew ("CPOS:one image gap=0 0>image gap=20 image CPOS:two 19> "
+                 & ">CPOS:two a a=AACK gap=4 3> 4>AACK gap=20 19> >image "
+                 & "gap=0 >");
    end Test_Gap;
 
-   procedure Test_Gaps is
-
-      procedure Check
-        (Last, Sent : Choice;
-         Between    : Milliseconds;
-         Expected   : Milliseconds;
-         Released   : Boolean := False)
-      is
-         Value : constant Milliseconds :=
-           Gap
-             ((Last   => Last,
-               Held   => (Released => Released, others => <>),
-               others => <>),
-              Sent, Between);
-      begin
-         Assert (Value = Expected,
-                 Sent'Image & " after " & Last'Image & ":" & Value'Image);
-      end Check;
-
-      After_Command : constant Choice := Monitor.Mailboxes.Answer;
-
-   begin
-      Check (Nothing, Image, 20, 0);
-      Check (Image, Position, 20, 20);
-      Check (Position, Battery, 20, 20);
-      Check (Image, After_Command, 20, 4);
-      Check (Image, After_Command, 3, 3);
-      Check (Image, After_Command, 0, 0);
-      Check (After_Command, After_Command, 20, 0);
-      Check (After_Command, Image, 20, 20);
-      Check (After_Command, Image, 20, 4, Released => True);
-      Check (After_Command, Image, 0, 0, Released => True);
-      Check (Image, Battery, 20, 20, Released => True);
-      Check (Image, After_Command, 1_000, 4);
-      Check (Image, Nothing, 20, 0);
-   end Test_Gaps;
-
    procedure Test_Hold is
-      First, Second : Ticket;
    begin
-      Begin_Anew;
-      First := Place;
-      Second := Place;
-      Put_Battery;
-      Put_Image;
+      Play_Anew ("a b RBLV:2 image");
       Assert (Hold_End (B) = Now + Schedule.Hold_Limit, "its end");
-      Pass (Schedule.Hold_Limit - Ms (1));
-      Check (Nothing);
-      Pass (Ms (1));
-      Check_Hold (False);
-      Answer (First);
-      Answer (Second, Monitor.Protocol.Refused);
-      Check (Monitor.Mailboxes.Answer, "AACK");
-      Check (Battery, "RBLV:2");
-      Check (Monitor.Mailboxes.Answer, "ACRJ");
-      Check (Image);
+      Assert (Schedule.Hold_Limit = Ms (950), "other times here");
+      Play ("+949 > +1 free a=AACK b=ACRJ >AACK >RBLV:2 >ACRJ >image");
    end Test_Hold;
 
    procedure Test_Hold_Of_All is
       --  A command each 10 ms, answered at once, leaves no gap of 20 ms
       Turns : Natural := 0;
    begin
-      Begin_Anew;
-      Answer (Place);
-      Check (Monitor.Mailboxes.Answer, "AACK");
-      Put_Battery;
-      Check_Hold (False);
+      Play_Anew ("a a=AACK >AACK RBLV:2 free");
       loop
-         Answer (Place);
-         Check (Monitor.Mailboxes.Answer, "AACK");
+         Play ("a a=AACK >AACK");
          Turns := Turns + 1;
          Assert (Turns <= 2 * 95, "held back for ever");
-         Pass (Ms (10));
+         Play ("+10");
          exit when not Is_Held;
       end loop;
       Assert (Turns >= 95, "not held back:" & Turns'Image);
-      Check (Battery, "RBLV:2", Kept => 10);
+      Play ("10>RBLV:2");
    end Test_Hold_Of_All;
 
    procedure Test_Hold_Of_Each is
       --  However long unsolicited messages have waited for a slow monitor
-      Number : Ticket;
    begin
-      Begin_Anew;
-      Number := Place;
-      Put_Battery;
-      Put_Image;
-      Check_Hold (True);
-      Answer (Number);
-      Check (Monitor.Mailboxes.Answer, "AACK");
-      Check (Battery, "RBLV:2");
-      Pass (Ms (500));
-      Number := Place;
+      Play_Anew ("a RBLV:2 image held a=AACK >AACK >RBLV:2 +500 b");
       Assert (Hold_End (B) = Now + Schedule.Hold_Limit, "put off");
-      Pass (Schedule.Hold_Limit - Ms (500));
-      Check (Nothing);
-      Pass (Ms (500));
-      Check (Image);
-      Answer (Number);
-      Check (Monitor.Mailboxes.Answer, "AACK");
+      Play ("+450 > +500 >image b=AACK >AACK");
    end Test_Hold_Of_Each;
 
    procedure Test_Mission is
-      Number, Stop : Ticket;
    begin
-      Begin_Anew;
-      Number := Place;
-      Answer (Number);
-      Check (Monitor.Mailboxes.Answer, "AACK");
-      Put_Progress (Number, "MPRG:1;2;300");
-      Put_Progress (Number, "MPRG:1;2;200");
-      Put_Battery;
-      Check (Progress, "MPRG:1;2;200");
-      Check (Battery, "RBLV:2");
-      Check (Nothing);
+      Play_Anew ("a a=AACK >AACK a/MPRG:1;2;300 a/MPRG:1;2;200 RBLV:2 "
+                 & ">MPRG:1;2;200 >RBLV:2 >");
 
       --  the end drops progress, and images do not drop the end
 
-      Put_Progress (Number, "MPRG:2;2;100");
-      Put_End (Number, "MEND:done");
-      Put_Progress (Number, "MPRG:2;2;90");
-      Put (Position, "CPOS:one");
-      Put_Image;
+      Play ("a/MPRG:2;2;100 a/MEND:done a/MPRG:2;2;90 CPOS:one image");
       Stop_Images (B);
-      Put_Image;
-      Check (Ending, "MEND:done");
-      Check (Image);
-      Check (Nothing);
+      Play ("image >MEND:done >image >");
 
       --  held back by the command that ends it
 
-      Stop := Place;
-      Put_End (Number, "MEND:aborted;order by hand");
-      Check_Hold (True);
-      Check (Nothing);
-      Answer (Stop);
-      Check (Monitor.Mailboxes.Answer, "AACK");
-      Check_Gap (20);
-      Check (Ending, "MEND:aborted;order by hand");
-      Check (Nothing);
+      Play ("b a/MEND:aborted held > b=AACK >AACK gap=20 >MEND:aborted >");
    end Test_Mission;
 
    procedure Test_Newest is
    begin
-      Begin_Anew;
-      Put_Image;
-      Put_Image;
-      Put (B, Told (Monitor.Notices.Camera_Stopped), Now);
-      Put (Lost, "ATIM");
-      Put (B, Told (Monitor.Notices.Robot_Lost_Empty), Now);
-      Check (Lost, "ATIM");
-      Check (Text, "MSSG:camera closed: it delivers no images any more");
-      Check (Text, "MSSG:robot lost: its battery was empty, it may be off: "
-                   & "charge it");
-      Put (Lost, "ATIM");
-      Check (Lost, "ATIM");
-      Check (Image);
-      Check (Nothing);
-      Put_Image;
+      Play_Anew ("image image MSSG:one ATIM MSSG:two >ATIM >MSSG:one "
+                 & ">MSSG:two ATIM >ATIM >image > image");
       Stop_Images (B);
-      Check (Nothing);
+      Play (">");
+      Assert (Told (Monitor.Notices.Camera_Stopped).Line
+                = Short ("MSSG:camera closed: it delivers no images any more")
+              and then
+                Told (Monitor.Notices.Robot_Lost_Empty).Line
+                  = Short ("MSSG:robot lost: its battery was empty, it may be "
+                           & "off: charge it"), "texts");
    end Test_Newest;
 
    procedure Test_Old_Mission is
-      Old, Next : Ticket;
    begin
-      Begin_Anew;
-      Old := Place;
-      Answer (Old);
-      Put_Progress (Old, "MPRG:1;1;300");
-      Put_End (Old, "MEND:done");
+      Play_Anew ("a a=AACK a/MPRG:1;1;300 a/MEND:done");
       Close_Session (B);
-      Put_End (Old, "MEND:done");
+      Play ("a/MEND:done");
       Open_Session (B);
-      Put_Progress (Old, "MPRG:1;1;300");
-      Put_End (Old, "MEND:done");
-      Check (Nothing);
-      Next := Place;
-      Answer (Next);
-      Put_End (Next, "MEND:done");
-      Put_End (Old, "MEND:aborted;monitor lost");
-      Check (Monitor.Mailboxes.Answer, "AACK");
-      Check (Ending, "MEND:done");
+      Play ("a/MPRG:1;1;300 a/MEND:done > b b=AACK b/MEND:done a/MEND:aborted "
+            & ">AACK >MEND:done");
    end Test_Old_Mission;
 
    procedure Test_Order is
-      First, Second, Third : Ticket;
    begin
-      Begin_Anew;
-      First := Place;
-      Second := Place;
-      Third := Place;
-      Put_Image;
-      Answer (Third, Monitor.Protocol.Refused);
-      Check (Nothing);
-      Answer (Second, No_Line);
-      Answer (First);
-      Answer (First, Monitor.Protocol.Timed_Out);
-      Check (Monitor.Mailboxes.Answer, "AACK");
-      Check (Monitor.Mailboxes.Answer, "ACRJ");
-      Check (Image);
+      Play_Anew ("a b c image c=ACRJ > b= a=AACK a=ACER >AACK >ACRJ >image");
    end Test_Order;
 
    procedure Test_Stale is
-      Old, Next : Ticket;
-      Kept      : Boolean;
-      Made      : constant Generation := B.Made;
+      Kept : Boolean;
+      Made : constant Generation := B.Made;
    begin
-      Begin_Anew;
-      Old := Place;
-      Begin_Anew;
-      Next := Place;
-      Assert (Next > Old, "no number twice");
-      Answer (Old, Monitor.Protocol.Refused);
-      Answer (Next + 1, Monitor.Protocol.Refused);
+      Play_Anew ("a");
+      Play_Anew ("b");
+      Assert (Number ('b') > Number ('a'), "no number twice");
+      Number ('c') := Number ('b') + 1;
+      Play ("a=ACRJ c=ACRJ");
       Put_Image (B, Made, Now, Kept);
       Assert (not Kept, "an image of another session");
-      Check (Nothing);
-      Answer (Next);
-      Check (Monitor.Mailboxes.Answer, "AACK");
+      Play ("> b=AACK >AACK");
    end Test_Stale;
 
    procedure Test_Turns is
    begin
-      Begin_Anew;
-      Put_Image;
-      Put (Position, "CPOS:one");
       --  a monitor so slow that there are always new ones of both
-      for Round in 1 .. 3 loop
-         Put_Battery;
-         Check (Battery, "RBLV:2");
-         Check (Image);
-         Put_Image;
-         Put_Battery;
-         Check (Battery, "RBLV:2");
-         Check (Position, "CPOS:one");
-         Put (Position, "CPOS:one");
-      end loop;
+      Play_Anew ("image CPOS:one" & 3 * (" RBLV:2 >RBLV:2 >image image "
+                 & "RBLV:2 >RBLV:2 >CPOS:one CPOS:one"));
       --  one without the other
       B.Image := False;
-      Check (Position, "CPOS:one");
-      for Round in 1 .. 2 loop
-         Put_Image;
-         Check (Image);
-      end loop;
+      Play (">CPOS:one image >image image >image");
    end Test_Turns;
 
    procedure Test_Urgency is
-      Number : Ticket;
    begin
-      Begin_Anew;
-      Number := Place;
-      Put_Image;
-      Put (Position, "CPOS:one");
-      Put_Battery;
-      Put_End (Number, "MEND:done");
-      Put (Text, "MSSG:text");
-      Put (Lost, "ATIM");
-      Answer (Number);
-      Check (Monitor.Mailboxes.Answer, "AACK");
-      Check (Lost, "ATIM");
-      Check (Text, "MSSG:text");
-      Check (Ending, "MEND:done");
-      Check (Battery, "RBLV:2");
-      Check (Image);
-      Check (Position, "CPOS:one");
-      Check (Nothing);
-      Put_Image;
+      Play_Anew ("a image CPOS:one RBLV:2 a/MEND:done MSSG:text ATIM a=AACK "
+                 & ">AACK >ATIM >MSSG:text >MEND:done >RBLV:2 >image "
+                 & ">CPOS:one > image");
       B.Open := False;
-      Check (Nothing);
+      Play (">");
    end Test_Urgency;
 
 begin
    Run_Test ("most urgent first", Test_Urgency'Access);
    Run_Test ("image and position in turn", Test_Turns'Access);
-   Run_Test ("the gap by default", Test_Gaps'Access);
    Run_Test ("answers in order", Test_Order'Access);
    Run_Test ("the newest image wins", Test_Newest'Access);
    Run_Test ("an answer that is an image", Test_Arena'Access);

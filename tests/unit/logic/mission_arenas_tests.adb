@@ -5,8 +5,6 @@ with Ada.Numerics.Float_Random; use Ada.Numerics.Float_Random;
 with Ada.Numerics.Generic_Real_Arrays;
 with Ada.Numerics.Long_Long_Elementary_Functions;
 
-with AUnit.Assertions;          use AUnit.Assertions;
-
 with Missions.Angles;
 with Missions.Arenas;           use Missions.Arenas;
 with Missions.Driving;
@@ -64,14 +62,24 @@ procedure Mission_Arenas_Tests is
       Bottom_Left  => Pixels (20.4, 441.0));
    --  Of an image of 640 x 480 pixels
 
-   procedure Check_Corners (Corners : Arena_Corners; Size : Arena_Size) is
-      --  As rounded, they are those of the rectangle, exactly
-      M             : Map;
-      Usable, Known : Boolean;
-      Where         : Place;
+   function Map_Of
+     (Corners : Arena_Corners := Usual; Size : Arena_Size := (80, 60))
+      return Map
+   is
+      M      : Map;
+      Usable : Boolean;
    begin
       Make (Corners, Size, M, Usable);
       Assert (Usable, "usable");
+      return M;
+   end Map_Of;
+
+   procedure Check_Corners (Corners : Arena_Corners; Size : Arena_Size) is
+      --  As rounded, they are those of the rectangle, exactly
+      M     : constant Map := Map_Of (Corners, Size);
+      Known : Boolean;
+      Where : Place;
+   begin
       for C in Corner loop
          Locate (M, On_Grid (Corners (C)), Where, Known);
          Assert (Known, C'Image & " is known");
@@ -163,16 +171,13 @@ procedure Mission_Arenas_Tests is
    --  divisor
 
    procedure Test_Forms is
-      M, Turned : Map;
-      Usable    : Boolean;
+      M      : constant Map := Map_Of;
+      Turned : constant Map :=
+        Map_Of ((Top_Left     => Usual (Bottom_Right),
+                 Top_Right    => Usual (Bottom_Left),
+                 Bottom_Right => Usual (Top_Left),
+                 Bottom_Left  => Usual (Top_Right)));
    begin
-      Make (Usual, (80, 60), M, Usable);
-      Assert (Usable, "usable");
-      Make ((Top_Left     => Usual (Bottom_Right),
-             Top_Right    => Usual (Bottom_Left),
-             Bottom_Right => Usual (Top_Left),
-             Bottom_Left  => Usual (Top_Right)), (80, 60), Turned, Usable);
-      Assert (Usable, "usable, turned");
       for X in Wide range 0 .. 64 loop
          for Y in Wide range 0 .. 48 loop
             declare
@@ -263,15 +268,10 @@ procedure Mission_Arenas_Tests is
    end Test_Loss;
 
    procedure Test_Outside is
-      Inner  : constant Arena_Corners :=
-        Rectangle (200.0, 150.0, 440.0, 330.0);
-      M      : Map;
-      Where  : Place;
-      Usable : Boolean;
-      Known  : Boolean;
+      M     : Map := Map_Of (Rectangle (200.0, 150.0, 440.0, 330.0));
+      Where : Place;
+      Known : Boolean;
    begin
-      Make (Inner, (80, 60), M, Usable);
-      Assert (Usable, "usable");
       Locate (M, Pixels (197.0, 336.0), Where, Known);
       Assert (Known and then Where = (-10_000, -20_000), "left and below");
       Locate (M, Pixels (455.0, 144.0), Where, Known);
@@ -291,11 +291,10 @@ procedure Mission_Arenas_Tests is
 
       --  Beyond the horizon of a steep view
 
-      Make ((Top_Left     => Pixels (600.0, 600.0),
-             Top_Right    => Pixels (1_000.0, 600.0),
-             Bottom_Right => Pixels (1_280.0, 940.0),
-             Bottom_Left  => Pixels (320.0, 940.0)), (80, 60), M, Usable);
-      Assert (Usable, "usable, steep");
+      M := Map_Of ((Top_Left     => Pixels (600.0, 600.0),
+                    Top_Right    => Pixels (1_000.0, 600.0),
+                    Bottom_Right => Pixels (1_280.0, 940.0),
+                    Bottom_Left  => Pixels (320.0, 940.0)));
       for Y in 0 .. 400 loop
          Locate (M, Pixels (800.0, Real (Y)), Where, Known);
          Assert (not Known, "beyond the horizon, and near it");
@@ -307,14 +306,11 @@ procedure Mission_Arenas_Tests is
 
    procedure Test_Poses is
       Size   : constant Arena_Size := (80, 60);
-      M      : Map;
-      Usable : Boolean;
+      M      : constant Map := Map_Of;
       Known  : Boolean;
       Where  : Pose;
       R      : Vision.Robot;
    begin
-      Make (Usual, Size, M, Usable);
-      Assert (Usable, "usable");
       for Degree in -179 .. 180 loop
          for At_X in 1 .. 7 loop
             --  The points are 17 pixels apart
@@ -406,7 +402,6 @@ procedure Mission_Arenas_Tests is
       M      : Map;
       Places : Place_Array;
       P      : Path;
-      Usable : Boolean;
       Inside : Boolean;
 
       procedure Check (X, Y : Millionths; Expected : Boolean; What : String) is
@@ -435,8 +430,7 @@ procedure Mission_Arenas_Tests is
       Check (Millionths'Last, Millionths'First, False, "furthest");
       Check (Millionths'First, Millionths'Last, False, "furthest, the others");
 
-      Make (Usual, Size, M, Usable);
-      Assert (Usable, "usable");
+      M := Map_Of;
       P.Measure := Pixels;
       P.Points (1) := (320_000_000, 240_000_000);
       Check (400_000_000, 300_000_000, True, "pixels inside");

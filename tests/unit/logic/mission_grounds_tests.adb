@@ -2,8 +2,6 @@
 
 with Ada.Real_Time;     use Ada.Real_Time;
 
-with AUnit.Assertions;  use AUnit.Assertions;
-
 with Missions;          use Missions;
 with Missions.Arenas;
 with Missions.Grounds;  use Missions.Grounds;

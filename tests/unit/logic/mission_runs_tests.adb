@@ -4,8 +4,6 @@ with Ada.Numerics.Elementary_Functions;
 use Ada.Numerics.Elementary_Functions;
 with Ada.Strings.Unbounded; use Ada.Strings.Unbounded;
 
-with AUnit.Assertions;    use AUnit.Assertions;
-
 with Commands;
 with Mission_Judges;
 with Mission_Plans;

@@ -1,8 +1,6 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
 --  The lines on a mission: progress, every end, every refusal.
 
-with AUnit.Assertions; use AUnit.Assertions;
-
 with Missions;         use Missions;
 with Monitor.Notices;  use Monitor.Notices;
 with Monitor.Protocol; use Monitor.Protocol;

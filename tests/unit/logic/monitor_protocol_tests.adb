@@ -1,10 +1,7 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
 --  The monitor's lines: every label, numbers, line ends, answers, positions.
 
-with Ada.Numerics.Discrete_Random;
 with Ada.Strings.Fixed; use Ada.Strings.Fixed;
-
-with AUnit.Assertions; use AUnit.Assertions;
 
 with Commands; use Commands;
 with Missions;
@@ -17,10 +14,6 @@ procedure Monitor_Protocol_Tests is
 
    LF : Character renames Line_Feed;
    CR : Character renames Carriage_Return;
-
-   package Random_Micros is new Ada.Numerics.Discrete_Random (Micro);
-
-   package Random_Ids is new Ada.Numerics.Discrete_Random (Robot_Id);
 
    function Label (Name : Command_Name) return Label_Text is
      (Table (Name).Label);
@@ -114,6 +107,17 @@ procedure Monitor_Protocol_Tests is
       end loop;
    end Test_Answered;
 
+   procedure Test_Hand is
+   begin
+      for Name in Command_Name loop
+         Assert (Is_By_Hand (Name) =
+                   (Name in Close_Robot | Reset_Robot | Power_Off_Robot
+                      | Go_Forward | Go_Backward | Go_Left | Go_Right
+                      | Move_Robot | Turn_Robot | Stop_Robot | Abort_Mission),
+                 Name'Image);
+      end loop;
+   end Test_Hand;
+
    procedure Test_Answers is
 
       procedure Check (Line : Short_Text; Text : String) is
@@ -130,11 +134,6 @@ procedure Monitor_Protocol_Tests is
       --  The robot has answered with Text
 
    begin
-      Check (Acknowledged, "AACK");
-      Check (Not_Done, "ANAK");
-      Check (Monitor.Protocol.Refused, "ACRJ");
-      Check (Monitor.Protocol.Timed_Out, "ATIM");
-      Check (Not_Understood, "ACER");
       Check (Reply_To (Get_Battery, Said ("2")), "RBLV:2");
       Check (Reply_To (Get_State, Said ("1")), "RCST:1");
       Check (Reply_To (Get_Version, Said ("3.5")), "RVER:3.5");
@@ -218,38 +217,6 @@ procedure Monitor_Protocol_Tests is
          end if;
       end loop;
    end Test_Damaged_Positions;
-
-   procedure Test_Labels is
-
-      type Labels is array (Known_Command) of Label_Text;
-
-      Expected : constant Labels :=
-        (Open_Robot      => "ROPN", Close_Robot          => "RCLS",
-         Start_Robot     => "RSOW", Start_Robot_Watchdog => "RSWW",
-         Reset_Robot     => "RRST", Ping_Robot           => "RPIN",
-         Reload_Watchdog => "RLDW", Go_Forward           => "RGFW",
-         Go_Backward     => "RGBW", Go_Left              => "RGLF",
-         Go_Right        => "RGRI", Stop_Robot           => "RSTP",
-         Abort_Mission   => "MABT", Move_Robot           => "RMOV",
-         Turn_Robot      => "RTRN", Power_Off_Robot      => "RPOF",
-         Get_Battery     => "RGBT", Get_Version          => "RVER",
-         Get_State       => "RGST", Open_Camera          => "COPN",
-         Close_Camera    => "CCLS", Ask_Arena            => "CASA",
-         Confirm_Arena   => "CACO", Reject_Arena         => "CAIN",
-         Get_Ground      => "CARN", Start_Position       => "CPCO",
-         Stop_Position   => "CPST", Go_To_Pixels         => "MGTO",
-         Follow_Pixels   => "MPTH", Go_To_Centimetres    => "MGCM",
-         Sign_Of_Life    => "LIVE", Follow_Centimetres   => "MPCM",
-         Log_Message     => "MSSG");
-   begin
-      for K in Known_Command loop
-         Assert (Label (K) = Expected (K), "label " & Expected (K));
-      end loop;
-      Assert
-        (String'(Image_Label & Position_Label & Battery_Label & Progress_Label
-                 & End_Label & Log_Label) = "CIMGCPOSRBLVMPRGMENDMSSG",
-         "labels of unsolicited messages");
-   end Test_Labels;
 
    procedure Test_Line_Ends is
       Longest : constant String := (1 .. Max_Line => 'x');
@@ -399,24 +366,59 @@ procedure Monitor_Protocol_Tests is
              "CARN:30;30;0" & 8 * ";-999.999999");
    end Test_Ground;
 
-   procedure Test_Random_Positions is
-      G     : Random_Micros.Generator;
-      Ids   : Random_Ids.Generator;
-      Scale : Micro := 1;
-
-      function Any return Micro is (Random_Micros.Random (G) / Scale);
-
+   function Path_Of (Text : String) return Missions.Path is
+      --  Of centimetres. Count 0: no path
+      use type Missions.Unit;
+      P     : Missions.Path;
+      Valid : Boolean;
    begin
-      Random_Micros.Reset (G, 8);
-      Random_Ids.Reset (Ids, 9);
-      for Round in 1 .. 30_000 loop
-         Scale := (if Round mod 13 = 0 then 1 else Scale * 10);
-         Check_Position ((Random_Ids.Random (Ids), Any, Any, Any, Any, Any));
-         if Scale > 10 ** 11 then
-            Scale := 1;
-         end if;
+      Parse (Text, Text'First, Missions.Centimetres, Missions.Max_Points, P,
+             Valid);
+      Assert (Valid = (P.Count > 0), Text & ": valid or empty");
+      Assert (P.Measure = Missions.Centimetres, "the unit");
+      return P;
+   end Path_Of;
+
+   procedure Test_Coordinates is
+      --  Each first and second; then what is none, at any place
+      use type Missions.Point;
+   begin
+      for Row of Split
+        ("0=0|-0=0|7=7_000_000|-7=-7_000_000|007=7_000_000|0000001=1_000_000"
+         & "|9999999=9_999_999_000_000|9999999.999999=9_999_999_999_999"
+         & "|-9999999.999999=-9_999_999_999_999|0.1=100_000|0.12=120_000"
+         & "|0.123=123_000|0.1234=123_400|0.12345=123_450|0.123456=123_456"
+         & "|-0.000001=-1|-12.50=-12_500_000|320.5=320_500_000")
+      loop
+         declare
+            Text  : constant String := Split (Row, '=') (1);
+            Value : constant Missions.Millionths :=
+              Missions.Millionths'Value (Split (Row, '=') (2));
+            P     : constant Missions.Path :=
+              Path_Of (Text & ";5;7;" & Text);
+         begin
+            Assert (P.Count = 2 and then P.Points (1) = (Value, 5_000_000)
+                    and then P.Points (2) = (7_000_000, Value), Row);
+         end;
       end loop;
-   end Test_Random_Positions;
+      for Text of Split
+        ("|-|.|-.|+1|--1|1.|.5|-.5|12345678|00000001|1.1234567|1.2.3|1,5"
+         & "|1e3|0x10| 1|1 |1-|nan")
+      loop
+         Assert (Path_Of (Text & ";1").Count = 0, Text & " first");
+         Assert (Path_Of ("1;" & Text).Count = 0, Text & " last");
+         Assert (Path_Of ("1;2;" & Text & ";4").Count = 0, Text & " third");
+      end loop;
+   end Test_Coordinates;
+
+   procedure Test_Points is
+   begin
+      Assert (Path_Of ("1;2").Count = 1, "a point");
+      Assert (Path_Of ("1;2;3;4").Count = 2, "two");
+      for Text of Split ("|;|1|1;|;1|1;2;|;1;2|1;2;3|1;;2|1;2;3;|1:2") loop
+         Assert (Path_Of (Text).Count = 0, Text);
+      end loop;
+   end Test_Points;
 
    procedure Test_Telnet is
       --  Its commands are skipped at both ends of a line, and nowhere else
@@ -519,18 +521,19 @@ procedure Monitor_Protocol_Tests is
    end Test_Refused_Positions;
 
 begin
-   Run_Test ("table of labels", Test_Labels'Access);
+   Run_Test ("orders by hand", Test_Hand'Access);
    Run_Test ("malformed lines", Test_Malformed'Access);
    Run_Test ("which are answered", Test_Answered'Access);
    Run_Test ("beginnings of lines", Test_Beginnings'Access);
    Run_Test ("numbers, clamped", Test_Numbers'Access);
    Run_Test ("missions", Test_Missions'Access);
+   Run_Test ("coordinates of a path", Test_Coordinates'Access);
+   Run_Test ("pairs and separators of a path", Test_Points'Access);
    Run_Test ("ends of lines", Test_Line_Ends'Access);
    Run_Test ("telnet's commands", Test_Telnet'Access);
    Run_Test ("answers", Test_Answers'Access);
    Run_Test ("F18: positions", Test_Positions'Access);
    Run_Test ("F17: the ground of the arena", Test_Ground'Access);
-   Run_Test ("F18: random positions", Test_Random_Positions'Access);
    Run_Test ("no positions", Test_Refused_Positions'Access);
    Run_Test ("damaged positions", Test_Damaged_Positions'Access);
 end Monitor_Protocol_Tests;

@@ -1,7 +1,5 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  The robot's frames: every command, every argument, every short answer.
-
-with AUnit.Assertions; use AUnit.Assertions;
+--  The robot's frames: every short answer, versions, checksums of NUL.
 
 with Bytes;            use Bytes;
 with Commands;
@@ -50,14 +48,6 @@ procedure Robot_Protocol_Tests is
       return Decode (F, Pending);
    end Answered;
 
-   procedure Check_Command (C : Command; Text : String) is
-      --  C is framed as Text.
-      F : Frame;
-   begin
-      Encode (C, F);
-      Assert (F = Frame_Of (Text), "frame of " & Text);
-   end Check_Command;
-
    procedure Test_Answers is
    begin
       for K in Command_Kind loop
@@ -83,33 +73,6 @@ procedure Robot_Protocol_Tests is
          end;
       end loop;
    end Test_Answers;
-
-   procedure Test_Directions is
-   begin
-      Check_Command ((Move, 32_767), "M=32767");
-      Check_Command ((Move, -32_768), "M=-32768");
-      Check_Command ((Turn, 32_767), "T=32767");
-      Check_Command ((Turn, -32_768), "T=-32768");
-      Check_Command (Stop, "M=0");
-   end Test_Directions;
-
-   procedure Test_Letters is
-      F : Frame;
-   begin
-      for Row of Split
-        ("p Ping|r Reset|u Start|W Start_Watchdog|w Reload|v Battery|b Busy"
-         & "|V Version|z Power_Off|? Unknown_Letter")
-      loop
-         Check_Command
-           ((Command_Kind'Value (Row (Row'First + 2 .. Row'Last)), 0),
-            Row (Row'First .. Row'First));
-      end loop;
-
-      --  A value that the command does not take is not sent
-
-      Encode ((Ping, 17), F);
-      Assert (F = Frame_Of ("p"), "no value");
-   end Test_Letters;
 
    procedure Test_Nul is
       F        : Frame;
@@ -165,8 +128,6 @@ procedure Robot_Protocol_Tests is
    end Test_Versions;
 
 begin
-   Run_Test ("command letters", Test_Letters'Access);
-   Run_Test ("directions", Test_Directions'Access);
    Run_Test ("table of answers", Test_Answers'Access);
    Run_Test ("version texts", Test_Versions'Access);
    Run_Test ("a checksum of NUL", Test_Nul'Access);

@@ -1,8 +1,6 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
 --  The session with the robot: the steps of every request, step by step.
 
-with AUnit.Assertions; use AUnit.Assertions;
-
 with Commands;         use Commands;
 with Robot.Health;
 with Robot.Protocol;

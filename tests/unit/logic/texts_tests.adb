@@ -3,22 +3,18 @@
 
 with Ada.Strings.Fixed;
 
-with AUnit.Assertions; use AUnit.Assertions;
-
+with Plain_Numbers;
 with Texts;            use Texts;
 with Unit_Runs; use Unit_Runs;
 
 procedure Texts_Tests is
-
-   function Trimmed (N : Integer) return String is
-     (Ada.Strings.Fixed.Trim (Integer'Image (N), Ada.Strings.Left));
 
    procedure Check_Number (N : Integer) is
       --  Against the language's own image.
       Item : Text;
    begin
       Append (Item, N);
-      Assert (Image (Item) = Trimmed (N), "image of" & N'Image);
+      Assert (Image (Item) = Plain_Numbers.Image (N), "image of" & N'Image);
    end Check_Number;
 
    procedure Test_Cut_Number is

@@ -1,8 +1,6 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
 --  The analysis on published examples whose answers are known.
 
-with AUnit.Assertions; use AUnit.Assertions;
-
 with Response_Times;   use Response_Times;
 with Unit_Runs; use Unit_Runs;
 

@@ -1,7 +1,5 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
 
-with AUnit.Assertions; use AUnit.Assertions;
-
 with Ada.Real_Time;
 with Event;
 with Instants;         use Instants;

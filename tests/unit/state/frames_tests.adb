@@ -3,8 +3,6 @@
 
 with Ada.Real_Time;    use Ada.Real_Time;
 
-with AUnit.Assertions; use AUnit.Assertions;
-
 with Schedule;
 with Vision.Frames;
 with Vision.Image_Grid;
@@ -71,45 +69,6 @@ procedure Frames_Tests is
       Vision.Frames.Store.Claim_Empty (Slot);
       Vision.Frames.Publish (Slot, At_Time);
    end Put;
-
-   procedure Test_Always_Free is
-      type Slot_Set is array (Vision.Slot) of Boolean;
-      Held  : Slot_Set := (others => False);
-      Slot  : Vision.Slot;
-      Found : Boolean;
-   begin
-      Begin_Anew;
-
-      --  two readers hold one each, one is the newest
-
-      for Reader in 1 .. 2 loop
-         Vision.Frames.Store.Claim_Empty (Slot);
-         Assert (not Held (Slot), "free");
-         Vision.Frames.Publish (Slot, Clock);
-         Vision.Frames.Store.Claim_Newest (Slot, Found, Coming);
-         Assert (Found, "for reader" & Reader'Image);
-         Held (Slot) := True;
-      end loop;
-      Vision.Frames.Store.Claim_Empty (Slot);
-      Assert (not Held (Slot), "one for the newest");
-      Vision.Frames.Publish (Slot, Clock);
-      Held (Slot) := True;
-      Vision.Frames.Store.Claim_Empty (Slot);
-      Assert (not Held (Slot), "one for the image after it");
-      Vision.Frames.Publish (Slot, Clock);
-      Held (Slot) := True;
-
-      --  and the owner claims the others
-
-      for I in 5 .. Held'Length loop
-         Vision.Frames.Store.Claim_Empty (Slot);
-         Assert (not Held (Slot), "slot" & I'Image & " of all");
-         Held (Slot) := True;
-      end loop;
-      Assert (Held = (Held'Range => True), "all slots are in use");
-      Vision.Frames.Store.Claim_Newest (Slot, Found, Coming);
-      Assert (Found, "the newest waits still");
-   end Test_Always_Free;
 
    procedure Test_End is
       Slot  : Vision.Slot;
@@ -288,8 +247,6 @@ procedure Frames_Tests is
    end Test_Times;
 
 begin
-   Run_Test ("an empty slot beside owner, two that wait, readers",
-             Test_Always_Free'Access);
    Run_Test ("a delivery that ends drops what waits", Test_End'Access);
    Run_Test ("every slot in its turn", Test_In_Turn'Access);
    Run_Test ("when the last image came", Test_Times'Access);

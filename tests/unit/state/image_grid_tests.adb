@@ -5,8 +5,6 @@ with Ada.Containers.Vectors;
 with Ada.Numerics.Float_Random; use Ada.Numerics.Float_Random;
 with Ada.Real_Time;             use Ada.Real_Time;
 
-with AUnit.Assertions;          use AUnit.Assertions;
-
 with Vision.Frames;             use Vision.Frames;
 with Vision.Image_Grid;         use Vision.Image_Grid;
 with Unit_Runs; use Unit_Runs;

@@ -1,8 +1,6 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
 --  The journal: first in first out, the capacity, what is not kept.
 
-with AUnit.Assertions; use AUnit.Assertions;
-
 with Command_Lines;
 with Journal;
 with Options;

@@ -1,7 +1,5 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
 
-with AUnit.Assertions; use AUnit.Assertions;
-
 with Commands; use Commands;
 with Missions;         use Missions;
 with Missions.Requests;

@@ -3,8 +3,6 @@
 
 with Ada.Real_Time;    use Ada.Real_Time;
 
-with AUnit.Assertions; use AUnit.Assertions;
-
 with Commands; use Commands;
 with Monitor.Mailboxes;
 with Monitor.Outbox;   use Monitor.Outbox;

@@ -2,15 +2,13 @@
 
 with Ada.Real_Time;     use Ada.Real_Time;
 
-with AUnit.Assertions;  use AUnit.Assertions;
-
 with Bytes;
 with Pseudo_Terminals;
 with Robot.Serial_Line;
 with Texts;
 with Unit_Runs; use Unit_Runs;
 
-package body Serial_Line_Tests is
+procedure Serial_Line_Tests is
 
    procedure Test_Wait is
       Line    : Pseudo_Terminals.Line;
@@ -42,9 +40,6 @@ package body Serial_Line_Tests is
       Pseudo_Terminals.Close (Line);
    end Test_Wait;
 
-   procedure Add_Tests is
-   begin
-      Run_Test ("a read waits as long as it is told", Test_Wait'Access);
-   end Add_Tests;
-
+begin
+   Run_Test ("a read waits as long as it is told", Test_Wait'Access);
 end Serial_Line_Tests;

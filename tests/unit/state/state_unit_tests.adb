@@ -23,8 +23,8 @@ begin
    Group ("Journal", Journal_Tests'Access);
    Group ("Missions.Requests", Missions_Requests_Tests'Access);
    Group ("Monitor.Outbox", Outbox_Tests'Access);
-   Group ("Robot.Line", Robot_Line_Tests.Add_Tests'Access);
-   Group ("Robot.Serial_Line", Serial_Line_Tests.Add_Tests'Access);
+   Group ("Robot.Line", Robot_Line_Tests'Access);
+   Group ("Robot.Serial_Line", Serial_Line_Tests'Access);
    Group ("Trace.Ring", Trace.Ring_Tests'Access);
    Group ("Vision.State", Vision_State_Tests'Access);
    Group ("Vision.Turns", Vision_Turns_Tests'Access);

@@ -5,8 +5,6 @@ with Ada.Directories;
 with Ada.Real_Time;    use Ada.Real_Time;
 with Interfaces;       use Interfaces;
 
-with AUnit.Assertions; use AUnit.Assertions;
-
 with Programs;
 with Schedule;         use Schedule;
 with Texts;

@@ -1,8 +1,6 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
 --  The orders to the vision: one at a time, in the order of the commands.
 
-with AUnit.Assertions; use AUnit.Assertions;
-
 with Commands;         use Commands;
 with Vision.Turns;
 with Unit_Runs; use Unit_Runs;

@@ -3,8 +3,6 @@
 
 with Interfaces.C; use Interfaces.C;
 
-with AUnit.Assertions; use AUnit.Assertions;
-
 with Options;        use Options;
 with Pictures;
 with Scenes;
@@ -14,8 +12,6 @@ with Vision; use Vision;
 with Unit_Runs; use Unit_Runs;
 
 procedure Following_Tests is
-
-   use type Vision.Following.Milliseconds;
 
    Tolerance : constant Micro_Pixels := 20_000;
    --  Between the two: 0.02 pixels, of the 2 that are demanded
@@ -235,67 +231,14 @@ procedure Following_Tests is
       end loop;
    end Test_Interval;
 
-   function Robot_At (Id : Identifier; X, Y : Micro_Pixels) return Robot is
-     (Id, (X, Y), (X + 3_000_000, Y + 4_000_000), 0);
-
-   procedure Test_Plan is
-      Known  : Vision.Following.State;
-      Areas  : Area_Array;
-      Number : Robot_Count;
-      Near   : Robot_Count;
+   procedure Test_Reach is
+      --  What the contract leaves open: the length is at most an eighth too
+      --  large
+      There : constant Robot := (5, (100, 200), (3_000_100, 4_000_200), 0);
    begin
-      Vision.Following.Plan (Known, Aruco, 0, Areas, Number);
-      Assert (Number = 0, "nothing is known");
-      Vision.Following.Begin_Anew
-        (Known, (Robot_At (5, 100, 200), Robot_At (7, -9, 8), others => <>),
-         2);
-      for Kind in Marker_Kind loop
-         Vision.Following.Plan (Known, Kind, 0, Areas, Number);
-         Assert (Number = 2 and then Areas (1).Centre = (100, 200)
-                 and then Areas (2).Centre = (-9, 8), "there");
-         --  5 pixels long, which is 5.5 here
-         Assert (Areas (1).Reach =
-                   (if Kind = Aruco then 12_100_000 else 6_820_000),
-                 "its body" & Areas (1).Reach'Image);
-         Vision.Following.Plan (Known, Kind, 500, Areas, Number);
-         Assert (Areas (1).Reach =
-                   (if Kind = Aruco then 39_600_000 else 23_320_000),
-                 "its way" & Areas (1).Reach'Image);
-      end loop;
-      Vision.Following.Plan (Known, Aruco, 501, Areas, Near);
-      Assert (Near = 0, "too long ago");
-   end Test_Plan;
-
-   procedure Test_Settle is
-      Two   : constant Robot_Array :=
-        (Robot_At (5, 100, 200), Robot_At (7, -9, 8), others => <>);
-      Six   : constant Robot := Robot_At (6, 0, 0);
-      Known : Vision.Following.State;
-
-      procedure Settle
-        (Robots : Robot_Array; Count, Left : Robot_Count; What : String)
-      is
-         Done : Boolean;
-      begin
-         Vision.Following.Settle (Known, 100, Robots, Count, Done);
-         Assert (Done = (Left > 0) and then Known.Count = Left, What);
-         if not Done then
-            Vision.Following.Begin_Anew (Known, Two, 2);
-            Assert (Known.Count = 2, "known again");
-         end if;
-      end Settle;
-
-   begin
-      Vision.Following.Begin_Anew (Known, Two, 2);
-      Settle (Two, 2, 2, "both");
-      Assert (Known.Age = 100, "their age");
-      Settle ((Two (1), Six, Two (2), others => <>), 3, 3, "one more");
-      Settle (Two, 2, 0, "one less");
-      Settle ((Two (1), Six, others => <>), 2, 0, "another instead");
-      Settle ((others => <>), 0, 0, "none");
-      Vision.Following.Forget (Known);
-      Assert (Known.Count = 0, "forgotten");
-   end Test_Settle;
+      Assert (Vision.Following.Length (There) <= 5_625_000,
+              "as long as" & Vision.Following.Length (There)'Image);
+   end Test_Reach;
 
    procedure Test_Far_Away is
       Known  : Vision.Following.State;
@@ -332,7 +275,6 @@ procedure Following_Tests is
 begin
    Run_Test ("as a search everywhere", Test_Sequences'Access);
    Run_Test ("everywhere every three seconds", Test_Interval'Access);
-   Run_Test ("where to look", Test_Plan'Access);
-   Run_Test ("what has been found", Test_Settle'Access);
+   Run_Test ("how long a robot is in the image", Test_Reach'Access);
    Run_Test ("absurd places", Test_Far_Away'Access);
 end Following_Tests;

@@ -6,10 +6,9 @@ with Ada.Directories;
 with Ada.Numerics.Long_Elementary_Functions;
 with Ada.Streams.Stream_IO; use Ada.Streams;
 
-with AUnit.Assertions; use AUnit.Assertions;
-
 with Libc;
-with Vision_C; use Vision_C;
+with Unit_Runs; use Unit_Runs;
+with Vision_C;  use Vision_C;
 
 package body Pictures is
 
@@ -236,6 +235,14 @@ package body Pictures is
       end loop;
       Load (Width, Height, 0);
    end Show_Page;
+
+   procedure Check_Size (Slot, Width, Height : int; What : String) is
+      W, H : aliased int := 0;
+   begin
+      Assert (Vision_C.Size (Slot, W'Access, H'Access) = Vision_C.Ok
+              and then W = Width and then H = Height,
+              What & ": is" & W'Image & " x" & H'Image);
+   end Check_Size;
 
    function Disturbed
      (Turn, Noise, Blur, Uneven : double := 0.0) return Scenes.Description

@@ -47,6 +47,9 @@ package Pictures is
    --  What Scene shows at (X, Y), seen at (X, Y) / (1 + G X + H Y), both from
    --  the middle of the image; into slot 0
 
+   procedure Check_Size (Slot, Width, Height : int; What : String);
+   --  That of the image in Slot
+
    function Disturbed
      (Turn, Noise, Blur, Uneven : double := 0.0) return Scenes.Description;
    --  The default, so

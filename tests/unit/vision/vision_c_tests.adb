@@ -6,8 +6,6 @@ with GNAT.OS_Lib;
 with Interfaces.C; use Interfaces.C;
 with System;       use System;
 
-with AUnit.Assertions; use AUnit.Assertions;
-
 with Pictures;
 with Scenes;
 with Vision_C; use Vision_C;
@@ -116,17 +114,16 @@ procedure Vision_C_Tests is
       type Pair is array (1 .. 2) of int;
       type Pairs is array (Positive range <>) of Pair;
 
-      Width, Height, Count : aliased int;
-      Found                : aliased Arena;
-      Robot                : aliased constant Vision_C.Robot :=
+      Count : aliased int;
+      Found : aliased Arena;
+      Robot : aliased constant Vision_C.Robot :=
         (7, (3.0, 3.0), (9.0, 9.0), 0.0);
    begin
       for P of Pairs'((1, 1), (1, 500), (500, 1), (2, 2), (15, 15), (16, 16),
                       (17, 33), (4_096, 16), (16, 2_160), (4_096, 2_160))
       loop
          Pictures.Show_Plain (P (1), P (2), 90);
-         Assert (Size (0, Width'Access, Height'Access) = Ok
-                 and then Width = P (1) and then Height = P (2), "size");
+         Pictures.Check_Size (0, P (1), P (2), "size");
          Assert (Find_Arena (0, Found'Access) = Not_Found, "no arena");
          for Kind in Marker loop
             Assert (Find_Robots (0, Kind, null, Room'Address, 8,
@@ -377,9 +374,8 @@ procedure Vision_C_Tests is
    end Test_Encode_Too_Small;
 
    procedure Test_Encode_Decodes is
-      Path          : constant String := Pictures.Temporary ("encoded.jpg");
-      Length        : int;
-      Width, Height : aliased int;
+      Path   : constant String := Pictures.Temporary ("encoded.jpg");
+      Length : int;
    begin
       Pictures.Show_Plain (123, 77, 90);
       Length := Encoded (0, 80, Buffer'Length);
@@ -393,8 +389,7 @@ procedure Vision_C_Tests is
       end;
       Assert (Open (To_C (Path), 123, 77, 10) = Ok, "open what was encoded");
       Assert (Grab (1) = Ok, "grab");
-      Assert (Size (1, Width'Access, Height'Access) = Ok
-              and then Width = 123 and then Height = 77, "the same size");
+      Pictures.Check_Size (1, 123, 77, "the same size");
       Assert (Close = Ok, "close");
       Pictures.Remove (Path);
    end Test_Encode_Decodes;

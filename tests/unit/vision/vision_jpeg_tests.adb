@@ -5,8 +5,6 @@ with Ada.Streams.Stream_IO; use Ada.Streams;
 with Interfaces.C;          use Interfaces.C;
 with System;
 
-with AUnit.Assertions; use AUnit.Assertions;
-
 with Pictures;
 with Scenes;
 with Vision_C; use Vision_C;
@@ -86,11 +84,10 @@ procedure Vision_Jpeg_Tests is
    Quanta : constant := 16#DB#;
 
    procedure Test_Passed is
-      Scene         : constant Scenes.Description :=
+      Scene : constant Scenes.Description :=
         Pictures.Scene_With (0, 5, 40.0, 30.0, 10.0);
-      Field         : aliased Arena;
-      Count         : aliased int;
-      Width, Height : aliased int;
+      Field : aliased Arena;
+      Count : aliased int;
    begin
       for Quality in int range 1 .. 10 loop
          declare
@@ -98,8 +95,7 @@ procedure Vision_Jpeg_Tests is
          begin
             Load (Jpeg);
             Assert (Sent (Quality => 1) = Jpeg, "its own bytes");
-            Assert (Size (0, Width'Access, Height'Access) = Ok
-                    and then Width = 640 and then Height = 480, "size");
+            Pictures.Check_Size (0, 640, 480, "size");
             if Quality > 3 then
                Assert (Find_Arena (0, Field'Access) = Ok, "arena");
                Assert (Find_Robots (0, Aruco, Field'Access, Room'Address, 8,
@@ -133,9 +129,8 @@ procedure Vision_Jpeg_Tests is
 
       procedure Check (From_W, From_H, To_W, To_H : int) is
          --  Fitted into 640 x 480
-         Scene         : Scenes.Description := Scenes.Default;
-         What          : constant String := From_W'Image & " x" & From_H'Image;
-         Width, Height : aliased int;
+         Scene : Scenes.Description := Scenes.Default;
+         What  : constant String := From_W'Image & " x" & From_H'Image;
       begin
          Scene.Width := From_W;
          Scene.Height := From_H;
@@ -143,18 +138,14 @@ procedure Vision_Jpeg_Tests is
             Jpeg : constant Octets := Photograph (Scene);
          begin
             Load (Jpeg);
-            Assert (Size (0, Width'Access, Height'Access) = Ok
-                    and then Width = To_W and then Height = To_H,
-                    What & ": size");
+            Pictures.Check_Size (0, To_W, To_H, What & ": size");
             declare
                Made : constant Octets := Sent;
             begin
                Assert ((Made = Jpeg) = (From_W = To_W and then From_H = To_H),
                        What & ": as it is, or scaled");
                Load (Made);
-               Assert (Size (0, Width'Access, Height'Access) = Ok
-                       and then Width = To_W and then Height = To_H,
-                       What & ": its size, sent");
+               Pictures.Check_Size (0, To_W, To_H, What & ": sent");
             end;
          end;
       end Check;

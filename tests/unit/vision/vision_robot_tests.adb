@@ -5,8 +5,6 @@ with Ada.Numerics.Long_Elementary_Functions;
 
 with Interfaces.C; use Interfaces.C;
 
-with AUnit.Assertions; use AUnit.Assertions;
-
 with Pictures;
 with Scenes;
 with Vision_C; use Vision_C;

@@ -7,8 +7,6 @@ with GNAT.Sockets;  use GNAT.Sockets;
 with Interfaces.C;  use Interfaces.C;
 with Interfaces.C.Strings;
 
-with AUnit.Assertions; use AUnit.Assertions;
-
 with Pictures;
 with Scenes;
 with Vision.Library;
@@ -16,14 +14,6 @@ with Vision_C; use Vision_C;
 with Unit_Runs; use Unit_Runs;
 
 procedure Vision_Source_Tests is
-
-   procedure Check_Size (Slot, Width, Height : int; What : String) is
-      W, H : aliased int := 0;
-   begin
-      Assert (Size (Slot, W'Access, H'Access) = Ok
-              and then W = Width and then H = Height,
-              What & ": is" & W'Image & " x" & H'Image);
-   end Check_Size;
 
    procedure Check_Pace (Images : Positive; Rate : Positive; What : String) is
       --  So many images of the open source take as long as Rate a second says:
@@ -67,7 +57,7 @@ procedure Vision_Source_Tests is
       Assert (Open (To_C (Path), 640, 480, 10) = Ok, "open");
       Pictures.Remove (Path);
       Check_Pace (10, 25, "still image");
-      Check_Size (0, 640, 480, "still image");
+      Pictures.Check_Size (0, 640, 480, "still image");
       Assert (Find_Arena (0, Found'Access) = Ok, "the image of the file");
       Assert (Grab (3) = Ok and then Find_Arena (3, Found'Access) = Ok,
               "into another slot");
@@ -97,7 +87,7 @@ procedure Vision_Source_Tests is
       Pictures.Save_Video (Scenes.Default, 5, 20, Path);
       Assert (Open (To_C (Path), 640, 480, 10) = Ok, "open");
       Check_Pace (18, 20, "three times round and a half");
-      Check_Size (0, 640, 480, "video");
+      Pictures.Check_Size (0, 640, 480, "video");
 
       --  five images later it begins again: as if it went on, in one of four
       --  times at least, whatever else the machine does
@@ -121,7 +111,7 @@ procedure Vision_Source_Tests is
       Pictures.Save_Video (Scenes.Default, 1, 25, Path);
       Assert (Open (To_C (Path), 320, 480, 10) = Ok, "open");
       Check_Pace (5, 25, "one image");
-      Check_Size (0, 320, 240, "scaled");
+      Pictures.Check_Size (0, 320, 240, "scaled");
       Pictures.Remove (Path);
       Assert (Grab (0) = No_Image, "the file is gone");
       Assert (Close = Ok, "close");
@@ -137,7 +127,8 @@ procedure Vision_Source_Tests is
          Assert (Open (To_C (Path), 640, 480, 10) = Ok, "open");
          Pictures.Remove (Path);
          Assert (Grab (0) = Ok, "grab");
-         Check_Size (0, To_W, To_H, From_W'Image & " x" & From_H'Image);
+         Pictures.Check_Size
+           (0, To_W, To_H, From_W'Image & " x" & From_H'Image);
       end Check;
    begin
       Check (640, 480, 640, 480);
@@ -162,7 +153,7 @@ procedure Vision_Source_Tests is
          Assert (Grab (0) = No_Camera, "closed");
          Assert (Close = Ok, "close what is closed");
       end loop;
-      Check_Size (0, 64, 48, "the last image stays");
+      Pictures.Check_Size (0, 64, 48, "the last image stays");
       Pictures.Remove (Path);
    end Test_Close;
 
@@ -175,7 +166,7 @@ procedure Vision_Source_Tests is
       Assert (Open (To_C (One), 64, 64, 10) = Ok, "the first");
       Assert (Open (To_C (Two), 64, 64, 10) = Ok, "the second");
       Assert (Grab (0) = Ok, "grab");
-      Check_Size (0, 48, 64, "the second");
+      Pictures.Check_Size (0, 48, 64, "the second");
       Assert (Open (To_C ("/no/such/file"), 64, 64, 10) = No_Camera,
               "the third is refused");
       Assert (Grab (0) = No_Camera, "and the second closed");

@@ -3,8 +3,6 @@
 
 with Interfaces.C; use Interfaces.C;
 
-with AUnit.Assertions; use AUnit.Assertions;
-
 with Bytes;          use Bytes;
 with Options;
 with Pictures;
@@ -244,18 +242,6 @@ procedure Vision_Tests is
       Assert (Count = 0, "of none");
    end Test_Unsound_Robots;
 
-   procedure Test_Unsound_Arena is
-      Found : C_Arena := (others => (1.0, 2.0));
-   begin
-      Assert (Is_Sound (Found) and then
-                To_Ada (Found) = (Corner => (1_000_000, 2_000_000)), "sound");
-      for C in Corner loop
-         Found := (others => (1.0, 2.0));
-         Found (C).Y := double'Last;
-         Assert (not Is_Sound (Found), C'Image);
-      end loop;
-   end Test_Unsound_Arena;
-
 begin
    Run_Test ("arena", Test_Arena'Access);
    Run_Test ("robots", Test_Robots'Access);
@@ -265,5 +251,4 @@ begin
    Run_Test ("reason", Test_Texts'Access);
    Run_Test ("numbers within their ranges", Test_Ranges'Access);
    Run_Test ("robots out of range are left out", Test_Unsound_Robots'Access);
-   Run_Test ("an arena out of range is none", Test_Unsound_Arena'Access);
 end Vision_Tests;
