@@ -9,6 +9,7 @@
  * Different threads may use different slots at the same time.
  *
  * Errors: every function returns a vision_status and throws no C++ exception.
+ * VISION_BAD_ARGUMENT too for an image of a slot in which none was stored.
  *
  * Coordinates: sub-pixel, in pixels of the whole image, x to the right and y
  * down, (0, 0) the centre of the top left pixel.
@@ -95,10 +96,6 @@ const char *vision_format(void);
 /* Closes the source; no effect if none is open. */
 vision_status vision_close(void);
 
-/* The size of the image in SLOT. Here and in all functions below:
- * VISION_BAD_ARGUMENT if nothing was ever stored there. */
-vision_status vision_size(int slot, int *width, int *height);
-
 /* Finds the arena in the image of SLOT: a plain 4:3 field with a brighter
  * border of any width and brightness, in any orientation, at least a third of
  * the image's width. Robots, objects and shadows may be on it; lens
@@ -146,23 +143,9 @@ vision_status vision_encode(int slot, int quality, unsigned char *buffer,
  * line to cut along. VISION_FAILED if it cannot be written. */
 vision_status vision_print_markers(int descriptor, int first, int side);
 
-/* Stores an image from memory in SLOT: 8-bit BGR, rows of WIDTH * 3 bytes
- * without padding. The memory remains the caller's. */
-vision_status vision_load(int slot, const unsigned char *bgr, int width,
-                          int height);
-
-/* Stores a JPEG from memory in SLOT, as vision_grab does, to be fitted to
- * WIDTH x HEIGHT. The memory remains the caller's. VISION_NO_IMAGE if it is
- * damaged. */
-vision_status vision_load_jpeg(int slot, const unsigned char *jpeg,
-                               int length, int width, int height);
-
 /* The last error of the calling thread, for a log: never null, valid until
  * the next call from this thread. */
 const char *vision_reason(void);
-
-/* The version of OpenCV in use, such as "4.6.0". Static. */
-const char *vision_library(void);
 
 #ifdef __cplusplus
 }

@@ -7,11 +7,13 @@
 #include <cmath>
 #include <cstdarg>
 #include <cstdio>
+#include <cstdlib>
 #include <cstring>
 #include <string>
 
 #include <opencv2/core/ocl.hpp>
 #include <opencv2/core/utility.hpp>
+#include <opencv2/core/utils/logger.hpp>
 #include <opencv2/imgproc.hpp>
 
 namespace vision {
@@ -26,6 +28,9 @@ struct Frames {
   Frames() {
     cv::setNumThreads(1);  // work stays in the caller, at its priority
     cv::ocl::setUseOpenCL(false);
+    // The reason of a failure is returned, not printed.
+    if (std::getenv("OPENCV_LOG_LEVEL") == nullptr)
+      cv::utils::logging::setLogLevel(cv::utils::logging::LOG_LEVEL_SILENT);
   }
 };
 
@@ -60,21 +65,15 @@ void draw_label(cv::Mat &image, const std::string &text,
                        letters.height + 2 * margin);
   const double distance = reach + 3 * thickness(image);
 
-  const auto corner = [&](bool right, bool below) {
-    return cv::Point(
-        cvRound(right ? centre.x + distance
-                      : centre.x - distance - plate.width),
-        cvRound(below ? centre.y + distance
-                      : centre.y - distance - plate.height));
-  };
   const cv::Rect whole(0, 0, image.cols, image.rows);
-  cv::Rect place(corner(true, true), plate);
-  for (const int n : {0, 1, 2, 3}) {
-    const cv::Rect here(corner(n % 2 == 0, n < 2), plate);
-    if ((here & whole) == here && !here.contains(tip)) {
-      place = here;
+  cv::Rect place({}, plate);
+  for (int n = 0; n < 4; ++n) {
+    place.x = cvRound(n % 2 == 0 ? centre.x + distance
+                                 : centre.x - distance - plate.width);
+    place.y = cvRound(n < 2 ? centre.y + distance
+                            : centre.y - distance - plate.height);
+    if ((place & whole) == place && !place.contains(tip))
       break;
-    }
   }
   place.x = std::clamp(place.x, 0, std::max(0, image.cols - plate.width));
   place.y = std::clamp(place.y, 0, std::max(0, image.rows - plate.height));
@@ -146,52 +145,6 @@ using namespace vision;
 
 extern "C" {
 
-vision_status vision_size(int slot, int *width, int *height) {
-  return on_frame(slot, [&](const Frame &here) {
-    if (width == nullptr || height == nullptr)
-      return fail(VISION_BAD_ARGUMENT, "no place for the size");
-    *width = here.size().width;
-    *height = here.size().height;
-    return VISION_OK;
-  });
-}
-
-vision_status vision_load(int slot, const unsigned char *bgr, int width,
-                          int height) {
-  return guarded([&] {
-    Frame *const here = frame(slot);
-    if (here == nullptr || bgr == nullptr || width < 1 || height < 1 ||
-        width > VISION_MAX_SIDE || height > VISION_MAX_SIDE)
-      return fail(VISION_BAD_ARGUMENT, "cannot load %d x %d into slot %d",
-                  width, height, slot);
-    here->image.create(height, width, CV_8UC3);
-    std::memcpy(here->image.data, bgr, std::size_t(width) * height * 3);
-    here->content = Frame::Content::pixels;
-    return VISION_OK;
-  });
-}
-
-vision_status vision_load_jpeg(int slot, const unsigned char *jpeg,
-                               int length, int width, int height) {
-  return guarded([&] {
-    Frame *const here = frame(slot);
-    if (here == nullptr || jpeg == nullptr || length < 1 || width < 1 ||
-        height < 1 || width > VISION_MAX_SIDE || height > VISION_MAX_SIDE)
-      return fail(VISION_BAD_ARGUMENT, "cannot load %d bytes into slot %d",
-                  length, slot);
-    const cv::Mat bytes(1, length, CV_8UC1,
-                        const_cast<unsigned char *>(jpeg));
-    Jpeg_Facts facts;
-    if (!examine(bytes, facts))
-      return VISION_NO_IMAGE;
-    bytes.copyTo(here->jpeg);
-    here->facts = facts;
-    here->limit = {width, height};
-    here->content = Frame::Content::jpeg;
-    return VISION_OK;
-  });
-}
-
 vision_status vision_draw_arena(int slot, const vision_arena *arena) {
   return on_image(slot, [&](Frame &here) {
     if (arena == nullptr || !sound(*arena))
@@ -259,12 +212,6 @@ vision_status vision_encode(int slot, int quality, unsigned char *buffer,
 
 const char *vision_reason(void) {
   return reason;
-}
-
-const char *vision_library(void) {
-  static const std::string *const version =
-      new std::string(cv::getVersionString());
-  return version->c_str();
 }
 
 }  // extern "C"

@@ -6,7 +6,6 @@
 
 #include <cstddef>
 #include <exception>
-#include <new>
 
 #include <opencv2/core.hpp>
 
@@ -94,8 +93,6 @@ template <typename Operation> vision_status guarded(Operation operation) {
   } catch (const cv::Exception &error) {
     return fail(VISION_FAILED, "%s: %s", error.func.c_str(),
                 error.err.c_str());
-  } catch (const std::bad_alloc &) {
-    return fail(VISION_FAILED, "out of memory");
   } catch (const std::exception &error) {
     return fail(VISION_FAILED, "%s", error.what());
   }

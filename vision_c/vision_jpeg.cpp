@@ -6,8 +6,8 @@
 
 #include <algorithm>
 #include <csetjmp>
-#include <cstddef>
 #include <cstdio>
+#include <cstdlib>
 #include <cstring>
 
 #include <jpeglib.h>
@@ -24,44 +24,36 @@ namespace {
 // libjpeg ends a failed operation in error_exit, which must not return: it
 // jumps back (longjmp) to the function that started it; no function in between
 // has a destructor.
-struct Errors {
-  jpeg_error_mgr manager;
+struct Errors : jpeg_error_mgr {
   std::jmp_buf leave;
   char message[JMSG_LENGTH_MAX];
 };
 
 void leave(j_common_ptr object) {
-  Errors *const errors = reinterpret_cast<Errors *>(object->err);
-  object->err->format_message(object, errors->message);
+  Errors *const errors = static_cast<Errors *>(object->err);
+  errors->format_message(object, errors->message);
   std::longjmp(errors->leave, 1);
 }
 
-void keep_quiet(j_common_ptr, int) {
-}
-
-void prepare(Errors &errors, jpeg_error_mgr *&manager) {
-  manager = jpeg_std_error(&errors.manager);
-  manager->error_exit = leave;
-  manager->emit_message = keep_quiet;  // what is damaged is decoded all the
-                                       // same, as far as it can be
-  errors.message[0] = '\0';
-}
-
-// ---------------------------------------------------------------- Decoding
-
-struct Decoder {
-  jpeg_decompress_struct object;
+// A decoder or an encoder, not yet created.
+template <typename Object> struct Codec {
+  Object object;
   Errors errors;
 
-  Decoder() {
-    prepare(errors, object.err);
-    object.mem = nullptr;  // not yet created
+  Codec() {
+    object.err = jpeg_std_error(&errors);
+    object.mem = nullptr;
+    errors.error_exit = leave;
+    // What is damaged is decoded all the same, as far as it can be.
+    errors.emit_message = [](j_common_ptr, int) {};
   }
 
-  ~Decoder() {
-    jpeg_destroy_decompress(&object);
+  ~Codec() {
+    jpeg_destroy(reinterpret_cast<j_common_ptr>(&object));
   }
 };
+
+using Decoder = Codec<jpeg_decompress_struct>;
 
 // Reads the header; fails for an unsupported image.
 void begin(Decoder &decoder, const cv::Mat &bytes) {
@@ -86,17 +78,16 @@ bool is_common(const jpeg_decompress_struct &object) {
       (object.jpeg_color_space != JCS_YCbCr &&
        object.jpeg_color_space != JCS_GRAYSCALE))
     return false;
-  for (int k = 0; k < object.num_components; ++k) {
-    const jpeg_component_info &component = *object.cur_comp_info[k];
-    // libjpeg checks these numbers only when it starts to decode.
-    if (component.dc_tbl_no < 0 || component.dc_tbl_no >= NUM_HUFF_TBLS ||
-        component.ac_tbl_no < 0 || component.ac_tbl_no >= NUM_HUFF_TBLS)
-      return false;
-    if (object.dc_huff_tbl_ptrs[component.dc_tbl_no] == nullptr ||
-        object.ac_huff_tbl_ptrs[component.ac_tbl_no] == nullptr)
-      return false;
-  }
-  return true;
+  // libjpeg checks these numbers only when it starts to decode.
+  const auto is_there = [](JHUFF_TBL *const *tables, int number) {
+    return number >= 0 && number < NUM_HUFF_TBLS && tables[number] != nullptr;
+  };
+  return std::all_of(
+      object.cur_comp_info, object.cur_comp_info + object.num_components,
+      [&](const jpeg_component_info *component) {
+        return is_there(object.dc_huff_tbl_ptrs, component->dc_tbl_no) &&
+               is_there(object.ac_huff_tbl_ptrs, component->ac_tbl_no);
+      });
 }
 
 // The length of a scan including the end of the image, given the bytes after
@@ -159,10 +150,8 @@ bool examine(const cv::Mat &bytes, Jpeg_Facts &facts) {
 }
 
 bool decode(const cv::Mat &bytes, const cv::Size &size, cv::Mat &image) {
-  constexpr int most = 16;
   constexpr JDIMENSION smallest = 8;
   Decoder decoder;
-  JSAMPROW rows[most];
   if (setjmp(decoder.errors.leave) != 0) {
     fail(VISION_NO_IMAGE, "JPEG: %s", decoder.errors.message);
     return false;
@@ -177,85 +166,23 @@ bool decode(const cv::Mat &bytes, const cv::Size &size, cv::Mat &image) {
   jpeg_start_decompress(&decoder.object);
   image.create(int(decoder.object.output_height),
                int(decoder.object.output_width), CV_8UC3);
-  while (decoder.object.output_scanline < decoder.object.output_height) {
-    const int first = int(decoder.object.output_scanline);
-    const int count = std::min(most, image.rows - first);
-    for (int k = 0; k < count; ++k)
-      rows[k] = image.ptr<uchar>(first + k);
-    jpeg_read_scanlines(&decoder.object, rows, JDIMENSION(count));
+  for (int k = 0; k < image.rows; ++k) {
+    JSAMPROW row = image.ptr<uchar>(k);
+    jpeg_read_scanlines(&decoder.object, &row, 1);
   }
   return true;
 }
 
-// ---------------------------------------------------------------- Encoding
-
-namespace {
-
-// Encodes into the caller's memory. libjpeg requests a new buffer as soon as
-// one is full, even at the end: SPARE, which must be empty after the last
-// byte.
-struct Encoder {
-  jpeg_compress_struct object;
-  jpeg_destination_mgr destination;
-  Errors errors;
-  bool is_full;
-  JOCTET spare[512];
-
-  Encoder() {
-    prepare(errors, object.err);
-    object.mem = nullptr;
-  }
-
-  ~Encoder() {
-    jpeg_destroy_compress(&object);
-  }
-};
-
-Encoder &encoder_of(j_compress_ptr object) {
-  return *reinterpret_cast<Encoder *>(object);
-}
-
-void begin_output(j_compress_ptr) {
-}
-
-void end_output(j_compress_ptr) {
-}
-
-boolean turn_to_spare(j_compress_ptr object) {
-  Encoder &encoder = encoder_of(object);
-  if (encoder.is_full)
-    ERREXIT(object, JERR_CANT_SUSPEND);
-  encoder.is_full = true;
-  encoder.destination.next_output_byte = encoder.spare;
-  encoder.destination.free_in_buffer = sizeof encoder.spare;
-  return TRUE;
-}
-
-}  // namespace
-
 vision_status encode(const cv::Mat &image, int quality, unsigned char *buffer,
                      int capacity, int &length) {
-  constexpr int most = 16;
-  static_assert(offsetof(Encoder, object) == 0, "see encoder_of");
-  Encoder encoder;
-  JSAMPROW rows[most];
-  length = 0;
-  encoder.is_full = capacity < 1;
+  Codec<jpeg_compress_struct> encoder;
+  // The buffer; once that is full, one of libjpeg's own, with all of it.
+  unsigned char *place = buffer;
+  unsigned long size = (unsigned long)capacity;
   if (setjmp(encoder.errors.leave) != 0)
-    return encoder.is_full
-               ? fail(VISION_TOO_SMALL, "the JPEG does not fit into %d bytes",
-                      capacity)
-               : fail(VISION_FAILED, "JPEG: %s", encoder.errors.message);
+    return fail(VISION_FAILED, "JPEG: %s", encoder.errors.message);
   jpeg_create_compress(&encoder.object);
-  encoder.destination.init_destination = begin_output;
-  encoder.destination.empty_output_buffer = turn_to_spare;
-  encoder.destination.term_destination = end_output;
-  encoder.destination.next_output_byte =
-      capacity < 1 ? encoder.spare : buffer;
-  encoder.destination.free_in_buffer =
-      capacity < 1 ? sizeof encoder.spare : std::size_t(capacity);
-  encoder.object.dest = &encoder.destination;
-
+  jpeg_mem_dest(&encoder.object, &place, &size);
   encoder.object.image_width = JDIMENSION(image.cols);
   encoder.object.image_height = JDIMENSION(image.rows);
   encoder.object.input_components = 3;
@@ -263,20 +190,22 @@ vision_status encode(const cv::Mat &image, int quality, unsigned char *buffer,
   jpeg_set_defaults(&encoder.object);
   jpeg_set_quality(&encoder.object, quality, TRUE);
   jpeg_start_compress(&encoder.object, TRUE);
-  while (encoder.object.next_scanline < encoder.object.image_height) {
-    const int first = int(encoder.object.next_scanline);
-    const int count = std::min(most, image.rows - first);
-    for (int k = 0; k < count; ++k)
-      rows[k] = const_cast<uchar *>(image.ptr<uchar>(first + k));
-    jpeg_write_scanlines(&encoder.object, rows, JDIMENSION(count));
+  for (int k = 0; k < image.rows; ++k) {
+    JSAMPROW row = const_cast<uchar *>(image.ptr<uchar>(k));
+    jpeg_write_scanlines(&encoder.object, &row, 1);
   }
   jpeg_finish_compress(&encoder.object);
-  if (encoder.is_full &&
-      encoder.destination.free_in_buffer < sizeof encoder.spare)
-    ERREXIT(&encoder.object, JERR_CANT_SUSPEND);
-  length = encoder.is_full
-               ? capacity
-               : capacity - int(encoder.destination.free_in_buffer);
+
+  const bool fits = size <= (unsigned long)capacity;
+  if (place != buffer) {
+    if (fits)
+      std::memcpy(buffer, place, size);
+    std::free(place);
+  }
+  if (!fits)
+    return fail(VISION_TOO_SMALL, "the JPEG does not fit into %d bytes",
+                capacity);
+  length = int(size);
   return VISION_OK;
 }
 

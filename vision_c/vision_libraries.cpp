@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // FFmpeg and GStreamer below OpenCV. OpenCV calls some of their functions here
-// instead, as this library comes first: for limits, and for causes of failure.
+// instead, as this library comes first: for limits that OpenCV 4.6 cannot set,
+// and for causes of failure.
 
 #include "vision_libraries.hpp"
 #include "vision_internal.hpp"
 
 #include <algorithm>
+#include <chrono>
 #include <cstdarg>
 #include <cstdint>
 #include <cstdio>
@@ -14,7 +16,6 @@
 
 #include <dlfcn.h>
 #include <strings.h>
-#include <time.h>
 
 #include <opencv2/videoio/registry.hpp>
 
@@ -37,22 +38,13 @@ const struct {
                          ",hevc,m4v,mpegvideo,mov,matroska,flv,avi"},
     {"max_redirects", "0"}};
 
-// A function that OpenCV's video part calls or could call: to build against
-// its libraries would be a dependency for the sake of a message. Null if it
-// has none.
-template <typename Function> Function *of_opencv(const char *name) {
-  static void *const videoio = [] {
-    Dl_info info{};
-    dladdr(reinterpret_cast<void *>(cv::videoio_registry::hasBackend), &info);
-    return dlopen(info.dli_fname, RTLD_LAZY | RTLD_NOLOAD);
-  }();
-  return reinterpret_cast<Function *>(
-      videoio == nullptr ? nullptr : dlsym(videoio, name));
+// A function that OpenCV calls or could call: to build against its libraries
+// would be a dependency for the sake of a message. Null if there is none.
+template <typename Function> Function *next(const char *name) {
+  return reinterpret_cast<Function *>(dlsym(RTLD_NEXT, name));
 }
 
-thread_local bool is_opening = false, is_url = false;
-
-bool hears_ffmpeg = false;
+thread_local bool is_opening = false;
 
 // Takes the cause from another program or library, or from the network.
 void take_cause(std::string text) {
@@ -72,27 +64,23 @@ void take_cause(std::string text) {
 // protocol is permitted.
 void hear_ffmpeg(void *context, int level, const char *format,
                  va_list arguments) {
-  constexpr int warning = 24, information = 32, trace = 56;  // AV_LOG_...
+  constexpr int warning = 24, information = 32;  // AV_LOG_...
   static const std::string type = "header='Content-Type: ";
   static const std::string location = "header='Location: ";
   static const std::string redirected = "redirected to ";
-  static const auto set_option =
-      of_opencv<int(void *, const char *, const char *, int)>("av_opt_set");
-  if (!is_opening ||
-      (level > warning && level != information && level != trace))
+  if (!is_opening || cause.rfind(redirected, 0) == 0)
     return;
   char line[300];
   std::vsnprintf(line, sizeof line, format, arguments);
   const std::string text = line;
-  if (cause.rfind(redirected, 0) == 0)
-    return;
   const std::size_t target = text.find(": Redirecting to ");
   if (strncasecmp(line, location.c_str(), location.size()) == 0) {
     const std::string value = text.substr(location.size());
     take_cause(redirected + value.substr(0, value.find('\'')));
   } else if (level == information && target != std::string::npos) {
     take_cause(redirected + text.substr(target + 17));
-    set_option(context, "protocol_whitelist", "none", 0);
+    next<int(void *, const char *, const char *, int)>("av_opt_set")(
+        context, "protocol_whitelist", "none", 0);
   } else if (level <= warning && text.rfind("Stream ends ", 0) != 0 &&
              text.rfind("Format not ", 0) != 0) {
     const std::size_t colon = text.rfind(": ");
@@ -102,6 +90,19 @@ void hear_ffmpeg(void *context, int level, const char *format,
     take_cause("HTTP 200 with " + value.substr(0, value.find_first_of(";'")) +
                ", no stream of images");
   }
+}
+
+// Whether FFmpeg's log is heard; not if the user has it printed by OpenCV.
+bool hears_ffmpeg() {
+  static const bool hears = [] {
+    const auto set_log =
+        next<void(decltype(hear_ffmpeg) *)>("av_log_set_callback");
+    if (set_log == nullptr || std::getenv("OPENCV_FFMPEG_LOGLEVEL") != nullptr)
+      return false;
+    set_log(hear_ffmpeg);
+    return true;
+  }();
+  return hears;
 }
 
 // Debian's package of a GStreamer element, by how its name begins.
@@ -124,49 +125,12 @@ struct G_Error {  // as in GLib
   char *message;
 };
 
-// Whether GStreamer can make the pipeline. OpenCV would go on without an
-// element that is missing, and could then wait for ever.
-bool can_be_made(const std::string &pipeline) {
-  G_Error *error = nullptr;
-  const auto prepare =
-      of_opencv<int(int *, char ***, G_Error **)>("gst_init_check");
-  const auto make =
-      of_opencv<void *(const char *, G_Error **)>("gst_parse_launch");
-  const auto release = of_opencv<void(void *)>("gst_object_unref");
-  const auto forget = of_opencv<void(G_Error *)>("g_error_free");
-  if (prepare == nullptr || make == nullptr || release == nullptr ||
-      forget == nullptr || !prepare(nullptr, nullptr, nullptr))
-    return true;  // OpenCV loads it later, or not at all
-  if (void *const made = make(pipeline.c_str(), &error))
-    release(made);
-  if (error == nullptr)
-    return true;
-  std::string text = error->message;
-  forget(error);
-  const std::string missing = "no element \"";
-  if (text.rfind(missing, 0) == 0)
-    for (const auto &each : packages)
-      if (text.compare(missing.size(), std::strlen(each.element),
-                       each.element) == 0) {
-        text += std::string(", see gstreamer1.0-") + each.package;
-        break;
-      }
-  take_cause(text);
-  return false;
-}
-
 // In nanoseconds: of the start of a pipeline, and of its first image, which an
 // rtspsrc holds back for 2 s; then as of a URL.
 constexpr std::uint64_t pipeline_limit = 5000000000;
 std::uint64_t sample_limit = pipeline_limit;
 
 }  // namespace
-
-double seconds() {
-  timespec now;
-  clock_gettime(CLOCK_MONOTONIC, &now);
-  return double(now.tv_sec) + double(now.tv_nsec) * 1e-9;
-}
 
 std::string without_secrets(const std::string &name) {
   std::string shown;
@@ -187,35 +151,31 @@ std::string without_secrets(const std::string &name) {
   return shown + name.substr(done);
 }
 
-bool open_ffmpeg(cv::VideoCapture &capture, const std::string &name,
-                 bool live) {
+bool open_ffmpeg(cv::VideoCapture &capture, const std::string &name) {
+  const auto begin = std::chrono::steady_clock::now();
+  const bool hears = hears_ffmpeg();
   is_opening = true;
-  is_url = live;
-  const double begin = seconds();
   const bool is_open = capture.open(
       name, cv::CAP_FFMPEG,
       {cv::CAP_PROP_OPEN_TIMEOUT_MSEC, open_limit,
        cv::CAP_PROP_READ_TIMEOUT_MSEC, read_limit});
   is_opening = false;
-  if (cause.empty() && hears_ffmpeg && live)
-    cause = seconds() - begin >= open_limit * 1e-3 ? "no answer"
-                                                   : "no stream of images";
+  if (cause.empty() && hears)
+    cause = std::chrono::steady_clock::now() - begin >=
+                    std::chrono::milliseconds(open_limit)
+                ? "no answer"
+                : "no stream of images";
   return is_open;
 }
 
 bool open_gstreamer(cv::VideoCapture &capture, const std::string &pipeline) {
-  if (!cv::videoio_registry::hasBackend(cv::CAP_GSTREAMER)) {
-    cause = "this OpenCV has no GStreamer";
-    return false;
-  }
-  if (!can_be_made(pipeline))
-    return false;
-  if (pipeline.find("appsink") == std::string::npos) {
-    cause = "a pipeline must end with appsink";
-    return false;
-  }
   sample_limit = pipeline_limit;
-  return capture.open(pipeline, cv::CAP_GSTREAMER);
+  const bool is_open = capture.open(pipeline, cv::CAP_GSTREAMER);
+  if (!cv::videoio_registry::hasBackend(cv::CAP_GSTREAMER))
+    cause = "this OpenCV has no GStreamer";
+  else if (cause.empty() && pipeline.find("appsink") == std::string::npos)
+    cause = "a pipeline must end with appsink";
+  return is_open;
 }
 
 }  // namespace vision
@@ -224,53 +184,59 @@ using namespace vision;
 
 extern "C" {
 
-// OpenCV calls this instead of FFmpeg's function, because this library comes
-// first: before it opens anything, with a log of its own that prints.
-void av_log_set_callback(decltype(hear_ffmpeg) *log) {
-  static const auto set_log =
-      of_opencv<void(decltype(log))>("av_log_set_callback");
-  const char *const level = std::getenv("OPENCV_FFMPEG_LOGLEVEL");
-  const bool is_users = level != nullptr && std::strcmp(level, "-8") != 0;
-  hears_ffmpeg = set_log != nullptr && log != nullptr && !is_users;
-  if (set_log != nullptr)
-    set_log(hears_ffmpeg ? hear_ffmpeg : log);
-}
-
-// The same: of a URL, with what it may be opened with.
+// OpenCV calls these instead of the functions of their names, because this
+// library comes first. FFmpeg's: a URL, with what it may be opened with.
 int avformat_open_input(void **context, const char *name, const void *format,
                         void **options) {
-  static const auto open = of_opencv<decltype(avformat_open_input)>(
-      "avformat_open_input");
-  static const auto set =
-      of_opencv<int(void **, const char *, const char *, int)>("av_dict_set");
+  const auto set =
+      next<int(void **, const char *, const char *, int)>("av_dict_set");
   constexpr int keep = 16;  // AV_DICT_DONT_OVERWRITE
-  if (is_url)
+  if (std::strstr(name, "://") != nullptr)
     for (const auto &each : url_options)
       set(options, each.name, each.value, keep);
-  return open(context, name, format, options);
+  return next<decltype(avformat_open_input)>("avformat_open_input")(
+      context, name, format, options);
 }
 
-// The same of GStreamer: OpenCV lets it wait for ever, from 4.7 on for 30 s.
+// GStreamer's. OpenCV would go on without an element that is missing.
+void *gst_parse_launch(const char *pipeline, G_Error **error) {
+  void *const made =
+      next<decltype(gst_parse_launch)>("gst_parse_launch")(pipeline, error);
+  if (*error == nullptr)
+    return made;
+  std::string text = (*error)->message;
+  const std::string missing = "no element \"";
+  if (text.rfind(missing, 0) == 0)
+    for (const auto &each : packages)
+      if (text.compare(missing.size(), std::strlen(each.element),
+                       each.element) == 0) {
+        text += std::string(", see gstreamer1.0-") + each.package;
+        break;
+      }
+  take_cause(text);
+  if (made != nullptr)
+    next<void(void *)>("gst_object_unref")(made);
+  return nullptr;
+}
+
+// OpenCV lets it wait for ever, from 4.7 on for 30 s.
 int gst_element_get_state(void *element, int *state, int *pending,
                           std::uint64_t limit) {
   constexpr int failure = 0, incomplete = 2, null = 1;  // as in GStreamer
-  static const auto get_state =
-      of_opencv<decltype(gst_element_get_state)>("gst_element_get_state");
-  static const auto set_state =
-      of_opencv<int(void *, int)>("gst_element_set_state");
-  const int result = get_state(element, state, pending,
+  const int result = next<decltype(gst_element_get_state)>(
+      "gst_element_get_state")(element, state, pending,
                                std::min(limit, pipeline_limit));
   if (result != incomplete || limit <= pipeline_limit)
     return result;
-  set_state(element, null);  // OpenCV releases it, which it may not otherwise
+  // OpenCV releases it, which it may not otherwise
+  next<int(void *, int)>("gst_element_set_state")(element, null);
   cause = "no image in time";
   return failure;
 }
 
 void *gst_app_sink_try_pull_sample(void *sink, std::uint64_t limit) {
-  static const auto pull =
-      of_opencv<decltype(gst_app_sink_try_pull_sample)>(
-          "gst_app_sink_try_pull_sample");
+  static const auto pull = next<decltype(gst_app_sink_try_pull_sample)>(
+      "gst_app_sink_try_pull_sample");
   void *const sample = pull(sink, std::min(limit, sample_limit));
   if (sample != nullptr)
     sample_limit = read_limit * std::uint64_t{1000000};
@@ -283,9 +249,8 @@ void *gst_app_sink_pull_sample(void *sink) {
 
 // Where OpenCV reads an error.
 void gst_message_parse_error(void *message, G_Error **error, char **details) {
-  static const auto parse =
-      of_opencv<decltype(gst_message_parse_error)>("gst_message_parse_error");
-  parse(message, error, details);
+  next<decltype(gst_message_parse_error)>("gst_message_parse_error")(
+      message, error, details);
   if (error != nullptr && *error != nullptr)
     take_cause((*error)->message);
 }

@@ -17,16 +17,12 @@ constexpr int read_limit = 3000;  // milliseconds, of a URL
 // Why the source that this thread opens does not open; empty if unknown.
 extern thread_local std::string cause;
 
-// The clock, in seconds.
-double seconds();
-
 // What may be secret in a URL as dots: up to the last @, so also in a password
 // that should have been encoded, and from the question mark on.
 std::string without_secrets(const std::string &name);
 
-// Opens a file, or a URL if LIVE.
-bool open_ffmpeg(cv::VideoCapture &capture, const std::string &name,
-                 bool live);
+// Opens a file or a URL.
+bool open_ffmpeg(cv::VideoCapture &capture, const std::string &name);
 
 bool open_gstreamer(cv::VideoCapture &capture, const std::string &pipeline);
 

@@ -1,25 +1,24 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The buffers that are reused from image to image.
+// The buffers that are reused from image to image. Measured by the system test
+// Never_Keeps_The_Memory_Of_Large_Images.
 
 #include "vision_internal.hpp"
-#include "vision_settings.hpp"
 
 #include <algorithm>
 #include <atomic>
+#include <new>
 
+#include <malloc.h>
 #include <sys/mman.h>
 
 namespace vision {
 
 namespace {
 
-// Bytes. An image is six times as large, a camera's JPEG rarely: its size
-// varies with each image, and mapping takes time.
-int least_for(int width, int height) {
-  return std::max(least_mapped, width * height / 2);
-}
+constexpr int least_mapped = 128 << 10;  // bytes: the C library's beginning
 
-std::atomic<int> least{least_for(640, 480)};
+// Bytes of a buffer that is mapped separately.
+std::atomic<int> least{least_mapped};
 
 // Maps large buffers separately. The C library does so only if no hole of its
 // heap is large enough, and OpenCV's contours leave such holes: an image there
@@ -42,13 +41,9 @@ public:
     cv::UMatData *const block = new cv::UMatData(this);
     block->data = block->origdata = static_cast<uchar *>(place);
     block->size = bytes;
-    if (step != nullptr) {
-      std::size_t next = CV_ELEM_SIZE(type);
-      for (int k = dimensions - 1; k >= 0; --k) {
-        step[k] = next;
-        next *= std::size_t(sizes[k]);
-      }
-    }
+    step[dimensions - 1] = CV_ELEM_SIZE(type);
+    for (int k = dimensions - 1; k > 0; --k)
+      step[k - 1] = step[k] * std::size_t(sizes[k]);
     return block;
   }
 
@@ -66,8 +61,14 @@ public:
 }  // namespace
 
 void expect_images(int width, int height) {
-  keep_memory_for(width, height);
-  least = least_for(width, height);
+  // Buffers that images of this size need repeatedly, a byte for each pixel,
+  // stay with the process; the C library returns larger blocks to the system
+  // when no longer needed. Otherwise it would keep the memory of a 4K image
+  // permanently.
+  mallopt(M_MMAP_THRESHOLD, std::max(least_mapped, width * height / 4 * 5));
+  // An image is six times as large, a camera's JPEG rarely: its size varies
+  // with each image, and mapping takes time.
+  least = std::max(least_mapped, width * height / 2);
 }
 
 Kept::Kept() {

@@ -3,14 +3,11 @@
 
 #include "vision_internal.hpp"
 #include "vision_libraries.hpp"
-#include "vision_settings.hpp"
 
-#include <algorithm>
 #include <cctype>
-#include <cmath>
-#include <cstdio>
-#include <cstdlib>
+#include <chrono>
 #include <string>
+#include <thread>
 
 #include <errno.h>
 #include <fcntl.h>
@@ -19,16 +16,17 @@
 #include <sched.h>
 #include <sys/ioctl.h>
 #include <sys/stat.h>
-#include <time.h>
 #include <unistd.h>
 
-#include <opencv2/core/utils/logger.hpp>
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 
 namespace vision {
 
 namespace {
+
+using Clock = std::chrono::steady_clock;
+using Seconds = std::chrono::duration<double>;
 
 constexpr double still_rate = 25.0;  // images a second
 
@@ -46,8 +44,8 @@ struct Source {
   std::string shown;     // the name for messages, without secrets
   int backend = cv::CAP_FFMPEG;
   cv::Size limit;
-  long period = 0;         // nanoseconds between the images of a file
-  timespec next{0, 0};     // when the next one is due
+  Clock::duration period{};  // between the images of a file
+  Clock::time_point next;    // when the next one is due
 };
 
 // Never destroyed, for the reason given at vision::frame.
@@ -56,52 +54,24 @@ Source &source() {
   return *the_source;
 }
 
-struct Settings {
-  Settings() {
-    prepare_process();
-    // The reason of a failure is returned, not printed.
-    if (std::getenv("OPENCV_LOG_LEVEL") == nullptr)
-      cv::utils::logging::setLogLevel(cv::utils::logging::LOG_LEVEL_SILENT);
-  }
-} const settings;
-
 // Sets ordinary scheduling for the calling thread temporarily, because the
 // threads of a video back end inherit the policy of their creator.
 class Time_Sharing {
 public:
   Time_Sharing() {
-    changed = pthread_getschedparam(pthread_self(), &policy, &parameter) ==
-                  0 &&
-              policy != SCHED_OTHER;
-    if (changed) {
-      sched_param ordinary{};
-      changed =
-          pthread_setschedparam(pthread_self(), SCHED_OTHER, &ordinary) == 0;
-    }
+    const sched_param ordinary{};
+    pthread_getschedparam(pthread_self(), &policy, &parameter);
+    pthread_setschedparam(pthread_self(), SCHED_OTHER, &ordinary);
   }
 
   ~Time_Sharing() {
-    if (changed)
-      pthread_setschedparam(pthread_self(), policy, &parameter);
+    pthread_setschedparam(pthread_self(), policy, &parameter);
   }
-
-  Time_Sharing(const Time_Sharing &) = delete;
-  Time_Sharing &operator=(const Time_Sharing &) = delete;
 
 private:
   int policy = SCHED_OTHER;
   sched_param parameter{};
-  bool changed = false;
 };
-
-void close(Source &from) {
-  from.kind = Kind::none;
-  from.waiting = false;
-  from.is_jpeg = false;
-  from.capture.release();
-  from.raw = Kept();
-  from.still = Kept();
-}
 
 // Makes TO, a supported image, from FROM; false on failure.
 bool convert(cv::Mat &from, cv::Mat &to, const cv::Size &limit) {
@@ -155,10 +125,8 @@ bool start(Source &from, int fps) {
   const Time_Sharing while_threads_start;
   bool is_open;
   cause.clear();
-  if (is_number(from.name))
-    is_open = from.capture.open(std::stoi(from.name), from.backend);
-  else if (from.backend == cv::CAP_FFMPEG)
-    is_open = open_ffmpeg(from.capture, from.name, from.kind == Kind::live);
+  if (from.backend == cv::CAP_FFMPEG)
+    is_open = open_ffmpeg(from.capture, from.name);
   else if (from.backend == cv::CAP_GSTREAMER)
     is_open = open_gstreamer(from.capture, from.name);
   else
@@ -170,148 +138,115 @@ bool start(Source &from, int fps) {
   return is_open;
 }
 
-// Determines the kind of source from its name.
-void classify(Source &from, bool &image_file) {
+// Determines the kind of source from its name; makes a number a device.
+void classify(Source &from) {
   struct stat file{};
   const bool exists = stat(from.name.c_str(), &file) == 0;
-  image_file = false;
   from.kind = Kind::live;
-  if (is_number(from.name) || (exists && S_ISCHR(file.st_mode))) {
+  from.backend = cv::CAP_FFMPEG;
+  if (is_number(from.name))
+    from.name = "/dev/video" + from.name;
+  if (from.name.rfind("/dev/video", 0) == 0 ||
+      (exists && S_ISCHR(file.st_mode)))
     from.backend = cv::CAP_V4L2;
-  } else if (exists && S_ISREG(file.st_mode)) {
-    from.kind = Kind::video;
-    from.backend = cv::CAP_FFMPEG;
-    image_file = cv::haveImageReader(from.name);
-  } else if (from.name.find('!') != std::string::npos) {
+  else if (exists && S_ISREG(file.st_mode))
+    from.kind = cv::haveImageReader(from.name) ? Kind::still : Kind::video;
+  else if (from.name.find('!') != std::string::npos)
     from.backend = cv::CAP_GSTREAMER;
-  } else if (from.name.find("://") != std::string::npos) {
-    from.backend = cv::CAP_FFMPEG;
-  } else {
+  else if (from.name.find("://") == std::string::npos)
     from.kind = Kind::none;
-  }
 }
 
 void pace(Source &from, double rate) {
-  from.period = std::lround(1e9 / rate);
-  clock_gettime(CLOCK_MONOTONIC, &from.next);
+  from.period = std::chrono::duration_cast<Clock::duration>(Seconds(1 / rate));
+  from.next = Clock::now();
 }
 
 // Waits until the next image of a file is due. After a delay the pace
 // restarts; late images are not made up for.
 void wait(Source &from) {
-  timespec now;
-  clock_gettime(CLOCK_MONOTONIC, &now);
-  const double late = double(now.tv_sec - from.next.tv_sec) * 1e9 +
-                      double(now.tv_nsec - from.next.tv_nsec);
-  if (late > double(from.period))
-    from.next = now;
-  while (clock_nanosleep(CLOCK_MONOTONIC, TIMER_ABSTIME, &from.next,
-                         nullptr) == EINTR) {
-  }
-  const long nanoseconds = from.next.tv_nsec + from.period;
-  from.next.tv_sec += nanoseconds / 1000000000L;
-  from.next.tv_nsec = nanoseconds % 1000000000L;
-}
-
-// Empty if no image can be read. OpenCV throws for a file with an absurdly
-// large image.
-cv::Mat read_still(const std::string &name) {
-  try {
-    return cv::imread(name, cv::IMREAD_COLOR);
-  } catch (const cv::Exception &) {
-    return {};
-  }
+  if (Clock::now() > from.next + from.period)
+    from.next = Clock::now();
+  std::this_thread::sleep_until(from.next);
+  from.next += from.period;
 }
 
 vision_status open_still(Source &from) {
-  cv::Mat image = read_still(from.name);
+  cv::Mat image;
+  try {
+    image = cv::imread(from.name, cv::IMREAD_COLOR);
+  } catch (const cv::Exception &) {
+    // for a file with an absurdly large image
+  }
   if (!convert(image, from.still, from.limit))
     return fail(VISION_NO_CAMERA, "%s: no image that can be read",
                 from.shown.c_str());
-  from.kind = Kind::still;
   pace(from, still_rate);
   return VISION_OK;
 }
 
-// Whether RAW is an image. A JPEG is not decoded for this: only a damaged
-// header is detected.
-bool is_image(Source &from) {
-  return !from.is_jpeg ||
-         (from.raw.type() == CV_8UC1 && from.raw.isContinuous() &&
-          examine(from.raw, from.facts));
-}
-
-// Reads the next image of a live source into RAW, skipping a few damaged ones.
-bool read_live(Source &from) {
+// Reads the next image into RAW, skipping a few damaged ones; false at the end
+// of a file. A JPEG is not decoded: only a damaged header is detected.
+bool read_next(Source &from) {
   // Without decoding, FFmpeg returns invalid data in small pieces: hundreds of
   // failures for one invalid image.
   const bool in_pieces = from.is_jpeg && from.backend == cv::CAP_FFMPEG;
-  const int most_failures = in_pieces ? 5000 : 3;
-  const double patience = from.is_jpeg ? 2.0 : 1.0;  // seconds, but the last
-  const double begin = seconds();
+  const int most_failures =
+      from.kind == Kind::video ? 1 : in_pieces ? 5000 : 3;
+  const Seconds patience(from.is_jpeg ? 2 : 1);  // but the last
+  const Clock::time_point begin = Clock::now();
   int failures = 0;
   do {
     if (from.capture.read(from.raw) && !from.raw.empty()) {
-      if (is_image(from))
+      if (!from.is_jpeg ||
+          (from.raw.type() == CV_8UC1 && from.raw.isContinuous() &&
+           examine(from.raw, from.facts)))
         return true;
     } else if (++failures == most_failures) {
       return false;
     }
-  } while (seconds() - begin <= patience);
+  } while (Clock::now() - begin <= patience);
   return false;  // nothing came at all
 }
 
-// The same for a file: false at its end.
-bool read_video(Source &from) {
-  while (from.capture.read(from.raw) && !from.raw.empty())
-    if (is_image(from))
-      return true;
-  return false;
-}
-
-// Reads the next image into RAW. A file restarts at its end.
+// The same; a file restarts at its end.
 bool read(Source &from) {
   if (from.waiting) {
     from.waiting = false;
     return true;
   }
-  if (from.kind == Kind::live)
-    return read_live(from);
-  if (read_video(from))
+  if (read_next(from))
     return true;
+  if (from.kind == Kind::live)
+    return false;
   from.capture.release();
-  return start(from, 1) && read_video(from);
+  return start(from, 1) && read_next(from);
 }
 
-// Describes the granted format, size, and rate if known.
-void describe(const Source &from, char *text, std::size_t capacity) {
+// The granted format, size, and rate if known.
+std::string description(const Source &from) {
   const unsigned format = unsigned(from.capture.get(cv::CAP_PROP_FOURCC));
   const double rate = from.capture.get(cv::CAP_PROP_FPS);
-  // FFmpeg invents it for a URL
-  const bool rate_known =
-      rate > 0.0 &&
-      (from.kind == Kind::video || from.backend != cv::CAP_FFMPEG);
-  int length = 0;
-  for (int shift = 0; shift < 32 && length < 4; shift += 8) {
-    const unsigned char letter = (unsigned char)(format >> shift);
-    if (std::isprint(letter))
-      text[length++] = char(letter);
-  }
-  length += std::snprintf(
-      text + length, capacity - length, "%s%dx%d", length > 0 ? " " : "",
-      int(from.capture.get(cv::CAP_PROP_FRAME_WIDTH)),
-      int(from.capture.get(cv::CAP_PROP_FRAME_HEIGHT)));
-  if (rate_known)
-    std::snprintf(text + length, capacity - length, ", %.4g a second", rate);
+  std::string text;
+  for (int shift = 0; shift < 32; shift += 8)
+    if (std::isprint(format >> shift & 0xFF))
+      text += char(format >> shift & 0xFF);
+  text += cv::format("%s%dx%d", text.empty() ? "" : " ",
+                     int(from.capture.get(cv::CAP_PROP_FRAME_WIDTH)),
+                     int(from.capture.get(cv::CAP_PROP_FRAME_HEIGHT)));
+  // FFmpeg invents the rate of a URL
+  if (rate > 0.0 &&
+      (from.kind == Kind::video || from.backend != cv::CAP_FFMPEG))
+    text += cv::format(", %.4g a second", rate);
+  return text;
 }
 
 // A V4L2 device gives OpenCV no reason.
 const char *device_cause(const std::string &name) {
-  const std::string path = is_number(name) ? "/dev/video" + name : name;
-  if (access(path.c_str(), R_OK | W_OK) != 0 && errno == EACCES)
+  if (access(name.c_str(), R_OK | W_OK) != 0 && errno == EACCES)
     return "your user must be in the group video";
   v4l2_capability has{};
-  const int file = ::open(path.c_str(), O_RDWR | O_NONBLOCK | O_CLOEXEC);
+  const int file = ::open(name.c_str(), O_RDWR | O_NONBLOCK | O_CLOEXEC);
   const bool is_known = file >= 0 && ioctl(file, VIDIOC_QUERYCAP, &has) == 0;
   if (file >= 0)
     ::close(file);
@@ -380,12 +315,12 @@ vision_status vision_open(const char *name, int width, int height, int fps) {
     here.name = name;
     here.shown = without_secrets(here.name);
     here.limit = {width, height};
-    bool image_file = false;
-    classify(here, image_file);
+    classify(here);
     if (here.kind == Kind::none)
       return fail(VISION_NO_CAMERA, "%s: no such file, device or URL",
                   here.shown.c_str());
-    return image_file ? open_still(here) : open_stream(here, fps);
+    return here.kind == Kind::still ? open_still(here)
+                                    : open_stream(here, fps);
   });
   if (status != VISION_OK)
     vision_close();
@@ -427,20 +362,19 @@ vision_status vision_grab(int slot) {
 }
 
 const char *vision_format(void) {
-  static thread_local char text[80];
-  text[0] = '\0';
+  static thread_local std::string text;
+  text.clear();
   guarded([] {
-    const Source &from = source();
-    if (from.kind == Kind::video || from.kind == Kind::live)
-      describe(from, text, sizeof text);
+    if (source().capture.isOpened())
+      text = description(source());
     return VISION_OK;
   });
-  return text;
+  return text.c_str();
 }
 
 vision_status vision_close(void) {
   return guarded([] {
-    close(source());
+    source() = Source();
     return VISION_OK;
   });
 }

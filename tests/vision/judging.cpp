@@ -3,7 +3,7 @@
 #include "judging.hpp"
 
 #include "peers.hpp"
-#include "vision.h"
+#include "vision_internal.hpp"
 
 #include <opencv2/imgproc.hpp>
 
@@ -35,9 +35,9 @@ void demand(vision_status status, bool may_find_nothing) {
 }
 
 void load(const Scene &scene, int slot) {
-  const cv::Mat image =
-      scene.image.isContinuous() ? scene.image : scene.image.clone();
-  demand(vision_load(slot, image.data, image.cols, image.rows), false);
+  vision::Frame &frame = *vision::frame(slot);
+  scene.image.copyTo(frame.image);
+  frame.content = vision::Frame::Content::pixels;
 }
 
 struct Finding {

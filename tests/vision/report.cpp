@@ -3,7 +3,8 @@
 #include "report.hpp"
 
 #include "photographs.hpp"
-#include "vision.h"
+
+#include <opencv2/core/utility.hpp>
 
 #include <cstdio>
 
@@ -70,7 +71,7 @@ void write_markdown(std::ostream &out, const std::vector<Outcome> &outcomes,
                     unsigned seed) {
   out << "# What is found in images that are not ours\n\n"
       << "Written by `script/vision --docs`; do not edit. Seed " << seed
-      << ", OpenCV " << vision_library() << ", " << photograph_count()
+      << ", OpenCV " << cv::getVersionString() << ", " << photograph_count()
       << " photographs. What the rows are made of, and what counts as found: "
       << "[tests/vision](../tests/vision/README.md). Rates in percent; times "
       << "are processor time of a search, milliseconds, on the machine that "

@@ -21,9 +21,8 @@ with Vision; use Vision;
 
 procedure Image_Times is
 
-   function C_Load
-     (Slot : int; Bgr : System.Address; Width, Height : int) return int
-   with Import, Convention => C, External_Name => "vision_load";
+   procedure Slot_Load (Slot : int; Bgr : System.Address; Width, Height : int)
+   with Import, Convention => C, External_Name => "slot_load";
 
    Number : Positive := 200;
    --  of images
@@ -75,10 +74,8 @@ procedure Image_Times is
    procedure Show (Item : Scenes.Description) is
       --  In slot 0
    begin
-      Check (Scenes.Draw (Item, Canvas.all'Address) = 0
-             and then C_Load (0, Canvas.all'Address, Item.Width, Item.Height)
-               = 0,
-             "drawing");
+      Check (Scenes.Draw (Item, Canvas.all'Address) = 0, "drawing");
+      Slot_Load (0, Canvas.all'Address, Item.Width, Item.Height);
    end Show;
 
    procedure Measure_Searches

@@ -7,8 +7,8 @@ with Ada.Numerics.Long_Elementary_Functions;
 with Ada.Streams.Stream_IO; use Ada.Streams;
 
 with Libc;
+with System;
 with Unit_Runs; use Unit_Runs;
-with Vision_C;  use Vision_C;
 
 package body Pictures is
 
@@ -21,11 +21,13 @@ package body Pictures is
    Canvas : Pixels;
    Drawn  : Pixels;  --  what Show_Aslant bends
 
+   procedure Slot_Load (Slot : int; Bgr : System.Address; Width, Height : int)
+   with Import, Convention => C, External_Name => "slot_load";
+
    procedure Load (Width, Height, Slot : int) is
       --  The canvas into Slot
    begin
-      Assert (Vision_C.Load (Slot, Canvas'Address, Width, Height) = Ok,
-              "load");
+      Slot_Load (Slot, Canvas'Address, Width, Height);
    end Load;
 
    procedure Draw (Scene : Scenes.Description) is
@@ -237,10 +239,14 @@ package body Pictures is
    end Show_Page;
 
    procedure Check_Size (Slot, Width, Height : int; What : String) is
-      W, H : aliased int := 0;
+
+      procedure Slot_Size (Slot : int; Width, Height : out int)
+      with Import, Convention => C, External_Name => "slot_size";
+
+      W, H : int;
    begin
-      Assert (Vision_C.Size (Slot, W'Access, H'Access) = Vision_C.Ok
-              and then W = Width and then H = Height,
+      Slot_Size (Slot, W, H);
+      Assert (W = Width and then H = Height,
               What & ": is" & W'Image & " x" & H'Image);
    end Check_Size;
 

@@ -48,7 +48,7 @@ package Pictures is
    --  the middle of the image; into slot 0
 
    procedure Check_Size (Slot, Width, Height : int; What : String);
-   --  That of the image in Slot
+   --  Of the image in Slot, which must hold one
 
    function Disturbed
      (Turn, Noise, Blur, Uneven : double := 0.0) return Scenes.Description;

