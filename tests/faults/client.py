@@ -105,9 +105,7 @@ class Monitor:
 
     def closed(self, within: float = 0.0) -> bool:
         """By the supervisor."""
-        end = time.monotonic() + within
-        while not self.end and time.monotonic() < end:
-            time.sleep(0.001)
+        self._reader.join(within)
         return self.end != ""
 
     def close(self, abortive: bool = False) -> None:

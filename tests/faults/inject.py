@@ -10,14 +10,12 @@ import multiprocessing
 import os
 import random
 import resource
-import shutil
 import signal
 import sys
 import tempfile
 import time
 from collections import Counter
 from collections.abc import Callable
-from multiprocessing.connection import Connection
 from pathlib import Path
 from typing import Any, NamedTuple, NoReturn
 
@@ -28,10 +26,10 @@ from standstills import Watch
 from trials import ALL, Result, Trials, name_of, plan_of
 from world import LOSS_LIMIT, STOP_LIMIT, Figures, World, ms
 
-INJECTION_LIMIT = 600.0
-#  Seconds: a process not finished by then hangs: that is a violation
+INJECTION_LIMIT = 600
+#  Seconds: one not finished by then hangs: that is a violation
 LONG = 4.0
-#  Injections this long are started first, after the heavy ones
+#  Injections this long are started first
 MOST_HEAVY = 2
 FORK = multiprocessing.get_context("fork")
 
@@ -50,11 +48,10 @@ class Injection(NamedTuple):
         return any(fault.heavy for fault in self.faults)
 
     @property
-    def order(self) -> tuple[bool, float, str]:
+    def order(self) -> tuple[float, str]:
         """Long ones first; those that share a world one after the other."""
         cost = sum(fault.cost for fault in self.faults)
-        long = cost if cost >= LONG else 0.0
-        return not self.heavy, -long, repr(plan_of(self.faults))
+        return -(cost if cost >= LONG else 0.0), repr(plan_of(self.faults))
 
 
 def programs(parser: argparse.ArgumentParser) -> None:
@@ -175,105 +172,91 @@ def end(*_: object) -> NoReturn:
     raise SystemExit(1)
 
 
-def work(connection: Connection, folder: Path, chosen: Any, watch: Watch) -> None:
-    """A job: takes injections, and answers with their results."""
+class Hangs(Exception):
+    """An injection has not ended in time."""
+
+
+def hangs(*_: object) -> NoReturn:
+    raise Hangs
+
+
+def work(
+    shares: list[tuple[list[Injection], Any]],
+    results: Any,
+    folder: Path,
+    chosen: argparse.Namespace,
+    watch: Watch,
+) -> None:
+    """A job: what is left of each of the shares, whose number taken is common to the
+    jobs."""
     os.setsid()
     #  with its parent
     signal.signal(signal.SIGTERM, end)
     ctypes.CDLL(None).prctl(1, signal.SIGTERM)
     #  which nohup ignores, and so would the supervisor
     signal.signal(signal.SIGHUP, signal.SIG_DFL)
+    signal.signal(signal.SIGALRM, hangs)
+    folder.chmod(0o777)
     trials = Trials(World(folder, watch, chosen.supervisor, chosen.emulator))
     try:
-        while item := connection.recv():
-            faults = item.faults
-            connection.send(trials.run(faults, chosen.seed, item.repetition))
+        for items, taken in shares:
+            while True:
+                with taken:
+                    number, taken.value = taken.value, taken.value + 1
+                if number >= len(items):
+                    break
+                item = items[number]
+                signal.alarm(INJECTION_LIMIT)
+                try:
+                    result = trials.run(item.faults, chosen.seed, item.repetition)
+                except Hangs:
+                    trials.world.destroy()
+                    result = Result("violated", account="   it has not ended\n")
+                signal.alarm(0)
+                results.put((item, result))
     finally:
         trials.finish()
 
 
-class Job:
-    def __init__(self, place: Path, chosen: argparse.Namespace, watch: Watch) -> None:
-        self.item: Injection | None = None
-        self.since = 0.0
-        self.folder = Path(tempfile.mkdtemp(dir=place))
-        self.folder.chmod(0o777)
-        self.connection, other = FORK.Pipe()
-        arguments = (other, self.folder, chosen, watch)
-        self.process = FORK.Process(target=work, args=arguments)
-        self.process.start()
-        other.close()
-
-    def give(self, item: Injection) -> None:
-        self.item = item
-        self.since = time.monotonic()
-        self.connection.send(item)
-
-    def result(self) -> Result | None:
-        """If there is one."""
-        lives = self.process.is_alive() and self.late() > 0.0
-        try:
-            if self.connection.poll():
-                found: Result = self.connection.recv()
-                return found
-        except EOFError:
-            lives = False
-        return None if lives else Result("violated", account="   it has not ended\n")
-
-    def late(self) -> float:
-        return self.since + INJECTION_LIMIT - time.monotonic()
-
-    def finish(self) -> None:
-        """Also what it has started."""
-        try:
-            self.connection.send(None)
-        except OSError:
-            self.since = 0.0
-        self.process.join(10.0)
-        assert self.process.pid is not None
-        with contextlib.suppress(ProcessLookupError):
-            os.killpg(self.process.pid, signal.SIGKILL)
-        self.process.join()
-        Link(self.process.pid).remove()
-        shutil.rmtree(self.folder, ignore_errors=True)
-
-
 def run(chosen: argparse.Namespace, place: Path, table: Table) -> None:
-    queue = injections(chosen)
-    whole = len(queue)
+    wanted = injections(chosen)
+    heavy, others = (
+        ([item for item in wanted if item.heavy is kind], FORK.Value("i"))
+        for kind in (True, False)
+    )
     watch = Watch()
-    jobs = [Job(place, chosen, watch) for _ in range(min(chosen.jobs, whole))]
+    results = FORK.Queue()
+    jobs = []
+    for number in range(min(chosen.jobs, len(wanted))):
+        shares = [heavy, others] if number < MOST_HEAVY else [others]
+        folder = Path(tempfile.mkdtemp(dir=place))
+        jobs.append(
+            FORK.Process(target=work, args=(shares, results, folder, chosen, watch))
+        )
+        jobs[-1].start()
     shown = time.monotonic()
-    left = whole
     try:
-        while left > 0:
-            for number, job in enumerate(jobs):
-                if job.item is None:
-                    heavy = sum(j.item is not None and j.item.heavy for j in jobs)
-                    may = (x for x in queue if heavy < MOST_HEAVY or not x.heavy)
-                    for item in may:
-                        queue.remove(item)
-                        job.give(item)
-                        break
-                elif result := job.result():
-                    left -= 1
-                    table.count(job.item, result)
-                    tell(job.item, result, chosen.seed)
-                    job.item = None
-                    if result.account == "   it has not ended\n":
-                        job.finish()
-                        jobs[number] = Job(place, chosen, watch)
+        for number in range(len(wanted)):
+            item, result = results.get(timeout=2 * INJECTION_LIMIT)
+            table.count(item, result)
+            tell(item, result, chosen.seed)
             if time.monotonic() - shown > 60.0:
                 shown = time.monotonic()
                 print(
-                    f"{whole - left} of {whole} injections, {table.violations}"
+                    f"{number + 1} of {len(wanted)} injections, {table.violations}"
                     " violations so far",
                     flush=True,
                 )
-            time.sleep(0.01)
     finally:
         for job in jobs:
-            job.finish()
+            job.terminate()
+            job.join(10.0)
+            assert job.pid is not None
+            #  also what it has started
+            with contextlib.suppress(ProcessLookupError):
+                os.killpg(job.pid, signal.SIGKILL)
+            job.join()
+            Link(job.pid).remove()
 
 
 def tell(item: Injection, result: Result, seed: int) -> None:

@@ -12,15 +12,6 @@ from collections.abc import Iterator
 from pathlib import Path
 
 CLONE_NEWNET = 0x4000_0000
-CUTS = (
-    "cable pulled",  # at the monitor's end: no carrier at the supervisor's
-    "monitor gone",  # its machine does not answer
-    "dropped there",  # no packet gets to the monitor
-    "dropped here",  # none gets from it
-    "interface down",  # of the supervisor's machine
-    "address gone",  # the same
-    "route gone",  # the same: none to the monitor, but from it
-)
 
 
 class Skipped(Exception):
@@ -107,19 +98,19 @@ class Link:
             return f"ip neigh flush to {of} dev {name} nud permanent"
 
         match how:
-            case "cable pulled":
+            case "cable pulled":  # at the monitor's end: no carrier at the supervisor's
                 self.run_there(interface(self.there))
-            case "monitor gone":
+            case "monitor gone":  # its machine does not answer
                 self.run_there(address(self.monitor_side, self.there))
-            case "dropped there":
+            case "dropped there":  # no packet gets to the monitor
                 run(station(self.monitor_side, self.here))
-            case "dropped here":
+            case "dropped here":  # none gets from it
                 self.run_there(station(self.supervisor_side, self.there))
-            case "interface down":
+            case "interface down":  # of the supervisor's machine
                 run(interface(self.here))
-            case "address gone":
+            case "address gone":  # the same
                 run(address(self.supervisor_side, self.here))
-            case "route gone":
+            case "route gone":  # the same: none to the monitor, but from it
                 route = f"{self.net}/30 dev {self.here} src {self.supervisor_side}"
                 run(f"ip route {'del' if breaks else 'replace'} {route}")
 

@@ -19,6 +19,7 @@ from demands import (
     start_with_watchdog,
 )
 from faults import Fault, telling
+from parties import LIMIT
 from world import NOISE, PROMPT, STOP_LIMIT, Robot, World
 
 ENOUGH_TO_LOSE = 4
@@ -302,7 +303,7 @@ def stop_robot(w: World, command: str, state: str) -> None:
     watchdog = has_watchdog(w)
     before = situation(w)
     w.tell(command)
-    w.expect_status("state", state, 30.0 if state == "idle" else NOISE)
+    w.expect_status("state", state, LIMIT if state == "idle" else NOISE)
     if watchdog:
         expect_not_running(w, before)
     elif w.robot is Robot.CLOSED:

@@ -23,7 +23,8 @@ from pathlib import Path
 from client import Monitor
 from faults import Ends, Fault
 from inject import at_least, programs
-from ledger import Message
+from ledger import USUAL, Message
+from parties import await_
 from standstills import TOO_LONG, Watch, host_taken, prefer_real_time
 from trials import ALL, Trials, name_of
 from world import World, check, descriptors, fact
@@ -262,20 +263,21 @@ class Soak:
             )
 
         def next_of(labels: Iterable[str], first: int) -> Message:
-            end = time.monotonic() + 30.0
-            while True:
-                late = time.monotonic() > end
-                for item in monitor.messages[first:]:
-                    if item.label in labels:
-                        return item
-                check(not late, f"no {labels}")
-                time.sleep(0.000_2)
+            def found() -> Message | None:
+                new = monitor.messages[first:]
+                return next((item for item in new if item.label in labels), None)
+
+            item: Message = await_(found, f"one of {labels}", every=0.000_2)
+            return item
+
+        def answer_to(command: str) -> Message:
+            first = len(monitor.messages)
+            monitor.send(command.encode() + b"\n")
+            return next_of(USUAL, first)
 
         def ask(command: str, answer: str = "AACK") -> None:
-            first = len(monitor.messages)
             begun = time.monotonic()
-            monitor.send(command.encode() + b"\n")
-            item = next_of(("AACK", "ANAK", "ACRJ", "ATIM", "ACER"), first)
+            item = answer_to(command)
             if answer == "ACER" and item.label == answer:
                 self.records.answers.append((item.time, item.time - begun))
             elif answer == "AACK" and item.label in ("ATIM", "ACRJ") and explained():
@@ -287,9 +289,7 @@ class Soak:
         try:
             monitor.connect(self.world.port, priority=60)
             for command in ("ROPN", "RSWW", "COPN", "CPCO"):
-                first = len(monitor.messages)
-                monitor.send(command.encode() + b"\n")
-                item = next_of(("AACK", "ANAK", "ACRJ", "ATIM", "ACER"), first)
+                item = answer_to(command)
                 check(item.label == "AACK", f"{command}: {item.label}")
             next_of(("CPOS",), 0)
             next_of(("CIMG",), 0)
@@ -298,14 +298,12 @@ class Soak:
             prefer_real_time()
             self.records.set_calm(True)
             end = time.monotonic() + for_time
-            for amount in range(1, sys.maxsize):
-                ask("what", "ACER")
-                time.sleep(self.source.uniform(0.02, 0.06))
-                if amount % 4 == 0:
-                    orders = "RGFW RGRI RMOV:-120 RTRN:45 RSTP RSTP"
-                    ask(self.source.choice(orders.split()))
-                if time.monotonic() > end:
-                    break
+            while time.monotonic() <= end:
+                for _ in range(4):
+                    ask("what", "ACER")
+                    time.sleep(self.source.uniform(0.02, 0.06))
+                orders = "RGFW RGRI RMOV:-120 RTRN:45 RSTP RSTP"
+                ask(self.source.choice(orders.split()))
             images = [m.time for m in monitor.messages[first:] if m.label == "CIMG"]
             for before, image in itertools.pairwise(images):
                 self.records.images.append((image, image - before))

@@ -235,7 +235,7 @@ class Trials:
         w = self.world
         if not w.robot_ready or not w.line_works:
             w.tell("reset-robot")
-            w.await_status("state", "idle")
+            w.expect_status("state", "idle")
             w.line_works = True
 
     def _expect_session_goes_on(self) -> None:
@@ -289,7 +289,7 @@ class Trials:
         w.nobody_since = 0.0
         try:
             w.tell("reset-robot")
-            w.await_status("state", "idle")
+            w.expect_status("state", "idle")
         except AssertionError:
             w.destroy()
 

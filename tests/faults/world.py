@@ -19,7 +19,7 @@ from typing import Any
 from client import Monitor
 from ledger import ANSWERS, Ledger, Message, kind_of
 from links import Link
-from parties import PROGRAMS, Emulator, Supervisor
+from parties import LIMIT, PROGRAMS, Emulator, Supervisor, await_
 from standstills import TOO_LONG, Watch
 
 #  Requirements
@@ -267,7 +267,7 @@ class World:
             *plan.emulator_options.split(),
             program=self.emulator_program,
         )
-        self.await_status("state", "idle")
+        self.expect_status("state", "idle")
         self.start_supervisor()
 
     def launcher(self) -> list[str]:
@@ -327,12 +327,16 @@ class World:
         self.lose("close")
         self._note_facts()
 
+    def _facts(self) -> tuple[int, int]:
+        """Threads and descriptors."""
+        return fact(self.pid, "Threads"), len(descriptors(self.pid))
+
     def _note_facts(self) -> None:
         #  a second without a change: connections still closing are not counted
         end = time.monotonic() + SETTLE_LIMIT
         same, self.base = 0, (0, 0)
         while same < 50 and time.monotonic() < end:
-            now = (fact(self.pid, "Threads"), len(descriptors(self.pid)))
+            now = self._facts()
             same = same + 1 if now == self.base else 0
             self.base = now
             time.sleep(0.02)
@@ -340,19 +344,13 @@ class World:
 
     def expect_no_leaks(self) -> None:
         """Between two sessions."""
-        end = time.monotonic() + SETTLE_LIMIT
-        while True:
-            late = time.monotonic() > end
-            now = (fact(self.pid, "Threads"), len(descriptors(self.pid)))
-            if now == self.base:
-                break
-            if late:
-                self.violate(
-                    f"{now} threads and descriptors instead of {self.base}",
-                    "nothing leaks",
-                )
-                break
-            time.sleep(0.02)
+        try:
+            await_(lambda: self._facts() == self.base, "", SETTLE_LIMIT)
+        except AssertionError:
+            self.violate(
+                f"{self._facts()} threads and descriptors instead of {self.base}",
+                "nothing leaks",
+            )
         memory = fact(self.pid, "VmRSS")
         self.figures.growth = max(self.figures.growth, memory - self.base_memory)
         if self.figures.growth > MEMORY_GROWTH:
@@ -638,17 +636,15 @@ class World:
             self.violate(self.ledger.breach, "answered exactly once")
         elif self.plan.log_is_read:
             #  the log may be behind: it is written by a task of the lowest priority
-            end = time.monotonic() + SETTLE_LIMIT
             unasked = self.ledger.unasked_losses
-            while unasked > self.times_lost:
-                if time.monotonic() > end:
-                    self.violate(
-                        f"{unasked} ATIM came unasked, but the robot was lost"
-                        f" {self.times_lost} times",
-                        "answered exactly once",
-                    )
-                    break
-                time.sleep(0.02)
+            try:
+                await_(lambda: unasked <= self.times_lost, "", SETTLE_LIMIT)
+            except AssertionError:
+                self.violate(
+                    f"{unasked} ATIM came unasked, but the robot was lost"
+                    f" {self.times_lost} times",
+                    "answered exactly once",
+                )
 
     def lose(self, how: str, detection: float = LOSS_LIMIT) -> None:
         """The monitor is gone from now on: "close", "reset", or "silent": the
@@ -729,19 +725,14 @@ class World:
 
     #  Demands
 
-    def await_status(self, key: str, value: str) -> None:
+    def expect_status(self, key: str, value: str, within: float = LIMIT) -> None:
         """The emulator's."""
-        self.expect_status(key, value, 30.0)
-
-    def expect_status(self, key: str, value: str, within: float) -> None:
-        end = time.monotonic() + within
-        while True:
-            late = time.monotonic() > end
-            seen = self.emulator.status()[key]
-            if seen == value:
-                return
-            check(not late, f"the robot's {key} is {seen} instead of {value}")
-            time.sleep(0.005)
+        await_(
+            lambda: self.emulator.status()[key] == value,
+            f"the robot's {key} is {value}",
+            within,
+            every=0.005,
+        )
 
     def expect_log(self, text: str, within: float, after: int = 0) -> None:
         check(

@@ -1,6 +1,5 @@
 #  SPDX-License-Identifier: GPL-3.0-or-later
-"""What script/sbom says of bin/destijl and bin/destijl_monitor, and that it
-notices a bill of materials that is not theirs."""
+"""What script/sbom says of bin/destijl and bin/destijl_monitor."""
 
 import json
 import os
@@ -122,42 +121,8 @@ def test_the_gateway_depends_on_python_and_aiohttp() -> None:
     assert subprocess.run(compare, check=False).returncode == 0
 
 
-def test_the_same_bill_again(text: str, tmp_path: Path) -> None:
-    file = tmp_path / "bill"
-    file.write_text(text)
-    status, said = sbom("--check", file, *PROGRAMS)
-    assert status == 0, said
-    assert said.startswith(f"{file}: 2 programs, ")
-
-
-def test_another_bill_is_refused(bill: Any, tmp_path: Path) -> None:
-    packages = {one["name"]: one for one in bill["packages"]}
-    bill["packages"].remove(packages["libgcc-s1"])
-    packages["libc6"]["versionInfo"] = "1"
-    bill["relationships"].pop()
-    bill["files"][0]["checksums"][1]["checksumValue"] = "0"
-    bill["spdxVersion"] = "SPDX-1"
-    file = tmp_path / "bill"
-    file.write_text(json.dumps(bill))
-    status, said = sbom("--check", file, *PROGRAMS)
-    assert status == 1
-    for line in (
-        '+      "name": "libgcc-s1",',
-        '-      "versionInfo": "1",',
-        '+      "relationshipType": "STATIC_LINK",',
-        '-          "checksumValue": "0"',
-        '-  "spdxVersion": "SPDX-1",',
-    ):
-        assert line in said.splitlines()
-
-
-@pytest.mark.parametrize("text", ["", "{}", '{"packages": []}'])
-def test_what_is_no_bill_is_refused(tmp_path: Path, text: str) -> None:
-    file = tmp_path / "bill"
-    file.write_text(text)
-    status, said = sbom("--check", file, *PROGRAMS)
-    assert status == 1
-    assert "is not the JSON of a bill of materials" in said
+def test_the_same_bill_again(text: str) -> None:
+    assert sbom(ROOT / "README.md", *PROGRAMS) == (0, text)
 
 
 def test_what_is_no_program_is_refused() -> None:

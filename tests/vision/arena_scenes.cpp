@@ -19,19 +19,10 @@ cv::Size pick_size(Random &random, const Range &range) {
 
 //  Box of a rectangle of the floor in the image, its sides included
 cv::Rect2d box_of(const Camera &camera, double half_x, double half_y) {
-  double left = 1e9, top = 1e9, right = -1e9, bottom = -1e9;
-  for (int i = -8; i <= 8; ++i)
-    for (int side = 0; side < 4; ++side) {
-      const double a = i / 8.0, b = side % 2 ? 1 : -1;
-      const cv::Point2d p =
-          side < 2 ? camera.project({a * half_x, b * half_y, 0})
-                   : camera.project({b * half_x, a * half_y, 0});
-      left = std::min(left, p.x);
-      right = std::max(right, p.x);
-      top = std::min(top, p.y);
-      bottom = std::max(bottom, p.y);
-    }
-  return {left, top, right - left, bottom - top};
+  std::vector<cv::Point2d> points;
+  for (const cv::Point2d &at : sides({half_x, half_y}, 8))
+    points.push_back(camera.project({at.x, at.y, 0}));
+  return box_around(points);
 }
 
 //  Moves the camera until the rectangle HALF, with ROOM around, fills FILL

@@ -42,7 +42,7 @@ void load(const Scene &scene, int slot) {
 
 struct Finding {
   int id;
-  cv::Point2d centre, direction;
+  cv::Point2d centre;
   double angle;
 };
 
@@ -85,24 +85,7 @@ Tally compare(const Scene &scene, const std::vector<Finding> &findings) {
   return tally;
 }
 
-void cross(cv::Mat &image, cv::Point2d at, const cv::Scalar &colour) {
-  cv::drawMarker(image, at, colour, cv::MARKER_TILTED_CROSS, 12, 1);
-}
-
-void draw(cv::Mat *marked, const std::vector<cv::Point2d> &outline,
-          const cv::Scalar &colour) {
-  if (!marked)
-    return;
-  for (std::size_t i = 0; i < outline.size(); ++i)
-    cv::line(*marked, outline[i] * 16, outline[(i + 1) % outline.size()] * 16,
-             colour, 1, cv::LINE_AA, 4);
-}
-
-const cv::Scalar truth_colour(0, 220, 0), ours_colour(0, 0, 255),
-    peer_colour(255, 120, 0);
-
-void judge_arena(const Scene &scene, int slot, Result &result,
-                 cv::Mat *marked) {
+void judge_arena(const Scene &scene, int slot, Result &result) {
   load(scene, slot);
   vision_arena arena;
   double start = milliseconds();
@@ -137,21 +120,11 @@ void judge_arena(const Scene &scene, int slot, Result &result,
     const cv::Rect2d seen = box;
     if (boxed)
       result.peer.found = (field & seen).area() >= 0.8 * (field | seen).area();
-    draw(marked, {scene.corner, scene.corner + 4}, truth_colour);
-    if (marked)
-      cross(*marked, scene.corner[0], truth_colour);
-  }
-  if (status == VISION_OK && marked) {
-    std::vector<cv::Point2d> outline;
-    for (const vision_point &p : arena.corner)
-      outline.emplace_back(p.x, p.y);
-    draw(marked, outline, ours_colour);
-    cross(*marked, outline[0], ours_colour);
   }
 }
 
 void judge_robots(const Row &row, const Scene &scene, int slot,
-                  Result &result, cv::Mat *marked) {
+                  Result &result) {
   load(scene, slot);
   vision_robot robots[256];
   int count = 0;
@@ -166,24 +139,14 @@ void judge_robots(const Row &row, const Scene &scene, int slot,
   for (int i = 0; i < count; ++i)
     findings.push_back({robots[i].id,
                         {robots[i].centre.x, robots[i].centre.y},
-                        {robots[i].direction.x, robots[i].direction.y},
                         robots[i].angle});
   const double spent = result.ours.milliseconds;
   result.ours = compare(scene, findings);
   result.ours.milliseconds = spent;
-  for (const Target &target : scene.targets) {
-    draw(marked, target.outline,
-         target.plain ? truth_colour : cv::Scalar(0, 220, 220));
-    if (!target.plain)
-      continue;
-    ++result.targets;
-    result.perspective += cv::norm(target.middle - target.centre);
-  }
-  for (const Finding &finding : findings)
-    if (marked) {
-      cross(*marked, finding.centre, ours_colour);
-      cv::arrowedLine(*marked, finding.centre, finding.direction,
-                      ours_colour);
+  for (const Target &target : scene.targets)
+    if (target.plain) {
+      ++result.targets;
+      result.perspective += cv::norm(target.middle - target.centre);
     }
   if (triangles)
     return;
@@ -195,11 +158,9 @@ void judge_robots(const Row &row, const Scene &scene, int slot,
   for (const Seen &one : seen) {
     const cv::Point2d centre = (one.corner[0] + one.corner[2]) / 2;
     const cv::Point2d ahead = (one.corner[0] + one.corner[1]) / 2;
-    findings.push_back({one.id, centre, ahead,
+    findings.push_back({one.id, centre,
                         std::atan2(centre.y - ahead.y, centre.x - ahead.x) *
                             180 / M_PI});
-    if (marked)
-      cross(*marked, centre + cv::Point2d(2, 2), peer_colour);
   }
   result.peer = compare(scene, findings);
   result.peer.milliseconds = peer_spent;
@@ -232,15 +193,13 @@ void Result::add(const Result &one, int scene) {
     missed.push_back(scene);
 }
 
-Result judge(const Row &row, const Scene &scene, int slot, cv::Mat *marked) {
-  if (marked)
-    *marked = scene.image.clone();
+Result judge(const Row &row, const Scene &scene, int slot) {
   Result result;
   result.scenes = 1;
   if (row.kind == Row::arena || row.kind == Row::no_arena)
-    judge_arena(scene, slot, result, marked);
+    judge_arena(scene, slot, result);
   else
-    judge_robots(row, scene, slot, result, marked);
+    judge_robots(row, scene, slot, result);
   return result;
 }
 

@@ -31,8 +31,7 @@ struct Result {
   void join(const Result &row);  //  without the numbers of scenes
 };
 
-//  MARKED: null, or where truth and findings are drawn
-Result judge(const Row &row, const Scene &scene, int slot, cv::Mat *marked);
+Result judge(const Row &row, const Scene &scene, int slot);
 
 //  Whether RESULT reaches the row's goal; else WHY says what does not
 bool reached(const Row &row, const Result &result, std::string &why);

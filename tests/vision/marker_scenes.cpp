@@ -192,18 +192,12 @@ Scene marker_scene(Random &random, const MarkerOptions &options) {
       target = marker_target(stage, 0, half, at, angle, height);
       if (!options.rim)
         break;
-      double left = 1e9, top = 1e9, right = -1e9, bottom = -1e9;
-      for (const cv::Point2d &p : target.outline) {
-        left = std::min(left, p.x);
-        right = std::max(right, p.x);
-        top = std::min(top, p.y);
-        bottom = std::max(bottom, p.y);
-      }
+      const cv::Rect2d box = box_around(target.outline);
       switch (side_of_image) {
-        case 0: pixel.x += rim_gap - left; break;
-        case 1: pixel.x += size.width - 1 - rim_gap - right; break;
-        case 2: pixel.y += rim_gap - top; break;
-        default: pixel.y += size.height - 1 - rim_gap - bottom;
+        case 0: pixel.x += rim_gap - box.x; break;
+        case 1: pixel.x += size.width - 1 - rim_gap - box.br().x; break;
+        case 2: pixel.y += rim_gap - box.y; break;
+        default: pixel.y += size.height - 1 - rim_gap - box.br().y;
       }
     }
     const double taken =

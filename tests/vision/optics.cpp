@@ -85,3 +85,25 @@ cv::Vec3d Camera::ray(double px, double py) const {
       undistort_[i] + (at - i) * (undistort_[i + 1] - undistort_[i]);
   return turn_.t() * cv::Vec3d(x * scale, y * scale, 1);
 }
+
+std::vector<cv::Point2d> sides(cv::Point2d half, int count) {
+  std::vector<cv::Point2d> points;
+  for (int i = -count; i <= count; ++i)
+    for (const double end : {-1.0, 1.0}) {
+      const double part = double(i) / count;
+      points.emplace_back(part * half.x, end * half.y);
+      points.emplace_back(end * half.x, part * half.y);
+    }
+  return points;
+}
+
+cv::Rect2d box_around(const std::vector<cv::Point2d> &points) {
+  double left = 1e9, top = 1e9, right = -1e9, bottom = -1e9;
+  for (const cv::Point2d &point : points) {
+    left = std::min(left, point.x);
+    right = std::max(right, point.x);
+    top = std::min(top, point.y);
+    bottom = std::max(bottom, point.y);
+  }
+  return {left, top, right - left, bottom - top};
+}

@@ -50,4 +50,9 @@ class Camera {
   double table_step_ = 1;
 };
 
+//  2 COUNT + 1 points on each side of a rectangle around (0, 0)
+std::vector<cv::Point2d> sides(cv::Point2d half, int count);
+
+cv::Rect2d box_around(const std::vector<cv::Point2d> &points);
+
 #endif

@@ -48,16 +48,13 @@ int read_photographs(const std::string &folder) {
 
 int photograph_count() { return int(stock.size()); }
 
-const cv::Mat &photograph(int number) {
-  return stock[std::size_t(number)].picture;
-}
-
 TexturePtr pick_photograph(Random &random) {
   return stock[std::size_t(random.pick(photograph_count()))].texture;
 }
 
 cv::Mat photograph_view(int number, Random &random) {
-  const cv::Mat &whole = photograph(number % photograph_count());
+  const cv::Mat &whole =
+      stock[std::size_t(number % photograph_count())].picture;
   //  At first all of it, then parts
   const int round = number / photograph_count();
   const double share = round == 0 ? 1 : random.in(0.35, 0.9);

@@ -16,9 +16,6 @@ int read_photographs(const std::string &folder);
 
 int photograph_count();
 
-//  At most 1600 pixels wide
-const cv::Mat &photograph(int number);
-
 //  One as a texture whose mean is about 1
 TexturePtr pick_photograph(Random &random);
 

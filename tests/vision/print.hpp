@@ -9,20 +9,18 @@
 
 #include <opencv2/core.hpp>
 
-#include <array>
+#include <functional>
 #include <memory>
 #include <vector>
 
-class Paint {
- public:
-  virtual ~Paint() = default;
+struct Paint {
   //  False where the surface has a hole. FOOTPRINT: centimetres a sample
-  virtual bool at(double x, double y, double footprint,
-                  cv::Vec3f &colour) const = 0;
-  //  Nothing of it within REACH of a point, for certain
-  virtual bool empty(double, double, double) const { return false; }
+  std::function<bool(double x, double y, double footprint, cv::Vec3f &colour)>
+      at;
   //  Has edges of its own, so that one sample a pixel is not enough
-  virtual bool detailed() const { return true; }
+  bool detailed = true;
+  //  Nothing of it within REACH of a point, for certain; may be none
+  std::function<bool(double x, double y, double reach)> empty = nullptr;
 };
 
 using PaintPtr = std::shared_ptr<const Paint>;

@@ -68,7 +68,7 @@ void print_outcome(std::ostream &out, const Outcome &outcome) {
 }
 
 void write_markdown(std::ostream &out, const std::vector<Outcome> &outcomes,
-                    unsigned seed) {
+                    int seed) {
   out << "# What is found in images that are not ours\n\n"
       << "Written by `script/vision --docs`; do not edit. Seed " << seed
       << ", OpenCV " << cv::getVersionString() << ", " << photograph_count()

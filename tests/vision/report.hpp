@@ -18,6 +18,6 @@ struct Outcome {
 void print_outcome(std::ostream &out, const Outcome &outcome);
 
 void write_markdown(std::ostream &out, const std::vector<Outcome> &outcomes,
-                    unsigned seed);
+                    int seed);
 
 #endif

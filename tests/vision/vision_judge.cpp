@@ -10,10 +10,10 @@
 #include <algorithm>
 #include <atomic>
 #include <cstdlib>
-#include <cstring>
 #include <exception>
 #include <fstream>
 #include <iostream>
+#include <map>
 #include <mutex>
 #include <thread>
 
@@ -23,19 +23,16 @@ const char usage[] =
     "usage: destijl_vision_judge [--short] [--scenes N] [--row TEXT]\n"
     "                            [--seed N] [--threads N]\n"
     "                            [--photographs FOLDER] [--markdown FILE]\n"
-    "       destijl_vision_judge --row NAME --scene N [--save FILE]\n"
-    "                            [--marked FILE] [...]\n"
+    "       destijl_vision_judge --row NAME --scene N [--save FILE] [...]\n"
     "       destijl_vision_judge --list\n"
-    "--row: the rows with TEXT in their name. --save: the image as it is;\n"
-    "--marked: truth in green (yellow: not judged), ours in red, OpenCV's\n"
-    "in blue. Exit 1 when a row is below its goal.\n";
+    "--row: the rows with TEXT in their name. Exit 1 when a row is below its\n"
+    "goal.\n";
 
 struct Options {
   bool brief = false, list = false;
-  int scenes = 0, scene = -1;
+  int scenes = 0, scene = -1, seed = 1;
   int threads = int(std::clamp(std::thread::hardware_concurrency(), 1u, 6u));
-  unsigned seed = 1;
-  std::string row, photographs, markdown, save, marked;
+  std::string row, photographs, markdown, save;
 };
 
 [[noreturn]] void fail(const std::string &what, int status) {
@@ -53,38 +50,31 @@ int number(const char *text) {
 
 Options read_options(int count, char **words) {
   Options options;
+  const std::map<std::string, bool *> flags = {{"--short", &options.brief},
+                                               {"--list", &options.list}};
+  const std::map<std::string, int *> numbers = {
+      {"--scenes", &options.scenes},
+      {"--scene", &options.scene},
+      {"--threads", &options.threads},
+      {"--seed", &options.seed}};
+  const std::map<std::string, std::string *> texts = {
+      {"--row", &options.row},
+      {"--photographs", &options.photographs},
+      {"--markdown", &options.markdown},
+      {"--save", &options.save}};
   for (int i = 1; i < count; ++i) {
     const std::string word = words[i];
-    const auto value = [&]() {
-      if (i + 1 == count)
-        fail(word + " needs a value", 2);
-      return words[++i];
-    };
-    if (word == "--short")
-      options.brief = true;
-    else if (word == "--list")
-      options.list = true;
-    else if (word == "--scenes")
-      options.scenes = number(value());
-    else if (word == "--scene")
-      options.scene = number(value());
-    else if (word == "--threads")
-      options.threads = number(value());
-    else if (word == "--seed")
-      options.seed = unsigned(number(value()));
-    else if (word == "--row")
-      options.row = value();
-    else if (word == "--photographs")
-      options.photographs = value();
-    else if (word == "--markdown")
-      options.markdown = value();
-    else if (word == "--save")
-      options.save = value();
-    else if (word == "--marked")
-      options.marked = value();
-    else if (word == "--help") {
+    if (word == "--help") {
       std::cout << usage;
       std::exit(0);
+    }
+    const bool more = i + 1 < count;
+    if (flags.count(word)) {
+      *flags.at(word) = true;
+    } else if (more && numbers.count(word)) {
+      *numbers.at(word) = number(words[++i]);
+    } else if (more && texts.count(word)) {
+      *texts.at(word) = words[++i];
     } else {
       std::cerr << usage;
       std::exit(2);
@@ -95,8 +85,8 @@ Options read_options(int count, char **words) {
   return options;
 }
 
-Scene make(const Row &row, unsigned seed, int scene) {
-  Random random(seed, row.name, scene);
+Scene make(const Row &row, int seed, int scene) {
+  Random random(std::uint64_t(seed), row.name, scene);
   return row.make(random, scene);
 }
 
@@ -114,7 +104,7 @@ Result judge_row(const Row &row, const Options &options) {
       try {
         for (int i; (i = next++) < scenes;)
           results[std::size_t(i)] =
-              judge(row, make(row, options.seed, i), slot, nullptr);
+              judge(row, make(row, options.seed, i), slot);
       } catch (const std::exception &error) {
         const std::lock_guard<std::mutex> guard(lock);
         failure = error.what();
@@ -132,12 +122,10 @@ Result judge_row(const Row &row, const Options &options) {
 
 void show_scene(const Row &row, const Options &options) {
   const Scene scene = make(row, options.seed, options.scene);
-  cv::Mat marked;
   Outcome outcome{row, {}, true, ""};
-  outcome.result.add(judge(row, scene, 0, &marked), options.scene);
+  outcome.result.add(judge(row, scene, 0), options.scene);
   print_outcome(std::cout, outcome);
-  if ((!options.save.empty() && !cv::imwrite(options.save, scene.image)) ||
-      (!options.marked.empty() && !cv::imwrite(options.marked, marked)))
+  if (!options.save.empty() && !cv::imwrite(options.save, scene.image))
     fail("cannot write the image", 1);
 }
 

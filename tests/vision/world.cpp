@@ -37,22 +37,14 @@ bool within(const Surface &surface, const cv::Point2d &own) {
 cv::Rect2d seen_by(const Camera &camera, const Surface &surface) {
   if (surface.endless)
     return {-1e6, -1e6, 2e6, 2e6};
-  double left = 1e9, top = 1e9, right = -1e9, bottom = -1e9;
-  for (int i = 0; i <= 8; ++i)
-    for (int side = 0; side < 4; ++side) {
-      const double a = i / 4.0 - 1, b = side % 2 ? 1 : -1;
-      const cv::Point2d p = camera.project(surface.world(
-          side < 2 ? cv::Point2d(a * surface.half.x, b * surface.half.y)
-                   : cv::Point2d(b * surface.half.x, a * surface.half.y)));
-      left = std::min(left, p.x);
-      right = std::max(right, p.x);
-      top = std::min(top, p.y);
-      bottom = std::max(bottom, p.y);
-    }
+  std::vector<cv::Point2d> points;
+  for (const cv::Point2d &own : sides(surface.half, 4))
+    points.push_back(camera.project(surface.world(own)));
+  const cv::Rect2d box = box_around(points);
   //  Room for the bend of a side between two points
-  const double room = 2 + 0.02 * std::max(right - left, bottom - top);
-  return {left - room, top - room, right - left + 2 * room,
-          bottom - top + 2 * room};
+  const double room = 2 + 0.02 * std::max(box.width, box.height);
+  return {box.x - room, box.y - room, box.width + 2 * room,
+          box.height + 2 * room};
 }
 
 //  Sixteen places of a pixel, no two in one column or line: bit reversal
@@ -103,7 +95,8 @@ struct Piece {
     double reach = 0;
     for (const cv::Point2d &own : corner)
       reach = std::max(reach, cv::norm(own - middle));
-    return surface.paint->empty(middle.x, middle.y, reach);
+    const auto &empty = surface.paint->empty;
+    return empty && empty(middle.x, middle.y, reach);
   }
 };
 
@@ -140,7 +133,7 @@ class Caster {
         break;
     }
     const bool one = filled && pieces.size() == 1 &&
-                     !pieces[0].placed->surface->paint->detailed();
+                     !pieces[0].placed->surface->paint->detailed;
     if (one || side == smallest) {
       shade(left, top, side, pieces, one);
       return;

@@ -126,6 +126,49 @@ def driver(page: Page) -> Page:
     return page
 
 
+@pytest.fixture
+def watcher(stand: Stand, driver: Page, visitors: Visitors) -> Page:
+    """Another browser's page, which sees that one drives."""
+    watcher = visitors.open(stand.address, 1)
+    watcher.shows("wheel", "other")
+    return watcher
+
+
+TEACHERS = "the-teacher-s-own-word"
+VIEWERS = "the-word-for-the-class"
+
+
+@pytest.fixture
+def tokens(tmp_path: Path) -> tuple[str | Path, ...]:
+    """The gateway's options that name their files."""
+    options: list[str | Path] = []
+    for option, word in (("--token", TEACHERS), ("--viewers-token", VIEWERS)):
+        path = tmp_path / option.strip("-")
+        path.touch(mode=0o600)
+        path.write_text(word + "\n", encoding="ascii")
+        options += [option, path]
+    return tuple(options)
+
+
+@pytest.fixture
+def guarded(stands: Callable[..., Stand], tokens: tuple[str | Path, ...]) -> Stand:
+    """It asks for these."""
+    return stands(*tokens)
+
+
+@pytest.fixture
+def recordings(tmp_path: Path) -> Path:
+    folder = tmp_path / "recordings"
+    folder.mkdir()
+    return folder
+
+
+@pytest.fixture
+def recorder(stands: Callable[..., Stand], recordings: Path) -> Stand:
+    """It records there."""
+    return stands("--record", recordings)
+
+
 @pytest.fixture(scope="session")
 def axe() -> str:
     """axe-core, which script/tools fetches."""

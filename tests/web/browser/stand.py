@@ -16,6 +16,7 @@ import shutil
 import socket
 import struct
 import threading
+import time
 from collections.abc import Iterator, Sequence
 from pathlib import Path
 from typing import Any
@@ -29,6 +30,8 @@ from selenium.webdriver.remote.webelement import WebElement
 
 NEAR = 1.5
 #  Centimetres between a point and where the robot is to pass
+
+IMAGE = (640, 480)
 
 Point = tuple[float, float]
 
@@ -221,6 +224,15 @@ class Stand:
     def moves(self) -> None:
         await_(lambda: self.emulator.moving, "the robot moves", every=0.005)
 
+    def moves_and_stands(self) -> None:
+        self.moves()
+        self.stands()
+
+    def stays(self, seconds: float = 0.3) -> None:
+        """It stands, and goes on so."""
+        time.sleep(seconds)
+        assert not self.emulator.moving, "it moves"
+
     def drives(self, page: Page, key: str = "w") -> None:
         """As long as the key is held."""
         with held(page, key):
@@ -364,6 +376,10 @@ class Browser:
         self.driver.quit()
 
 
+ELEMENT = (
+    "arguments[1] ? document.getElementById(arguments[1]) : document.documentElement"
+)
+#  In a script: that of this name, or the page itself
 LINES = (
     "const lines = [...document.querySelectorAll('#log > li')].map(e =>"
     "({...e.dataset, text: e.innerText}));"
@@ -391,50 +407,65 @@ class Page:
 
     def data(self, key: str, element: str = "") -> str:
         """An attribute data-KEY, of the page or of an element."""
-        value = self.run(
-            "const e = arguments[1] ? document.getElementById(arguments[1])"
-            " : document.documentElement;"
-            "return e.getAttribute('data-' + arguments[0])",
-            key,
-            element,
+        return str(
+            self.run(
+                f"return ({ELEMENT}).getAttribute('data-' + arguments[0]) ?? ''",
+                *(key, element),
+            )
         )
-        return "" if value is None else str(value)
 
     def until(
         self, script: str, *arguments: Any, what: str, within: float = LIMIT
     ) -> Any:
-        """The first true result of a script, which the page itself runs after
-        each of its changes: to ask again and again costs it more."""
-        result = self.driver.execute_async_script(
-            """
-            const [within, ...rest] = arguments;
-            const done = rest.pop();
-            const script = function () { SCRIPT };
-            const observer = new MutationObserver(look);
-            const limit = setTimeout(() => end(null), within * 1000);
-            function end(result) {
-              observer.disconnect();
-              clearTimeout(limit);
-              done(result);
-            }
-            function look() {
-              const result = script(...rest);
-              if (result) end(result);
-            }
-            observer.observe(document, { attributes: true, characterData: true,
-                                         childList: true, subtree: true });
-            look();
-            """.replace("SCRIPT", script),
-            within,
-            *arguments,
-        )
-        assert result is not None, f"not within {within} s: {what}; log: {self.log()}"
-        return result
+        """The first true result of a script."""
+        try:
+            return await_(lambda: self.run(script, *arguments), what, within, 0.05)
+        except AssertionError as late:
+            raise AssertionError(f"{late}; log: {self.log()}") from None
 
-    def shows(self, key: str, value: str, within: float = LIMIT) -> None:
+    def all(self, selector: str) -> list[WebElement]:
+        return list(self.driver.find_elements(By.CSS_SELECTOR, selector))
+
+    def one(self, selector: str) -> WebElement:
+        """The first that there is."""
+        found: list[WebElement] = await_(lambda: self.all(selector), selector)
+        return found[0]
+
+    def click_one(self, selector: str) -> None:
+        self.click_element(self.one(selector))
+
+    def write(self, name: str, *text: str) -> WebElement:
+        """Into that field, which then has nothing else."""
+        field = self.element(name)
+        field.clear()
+        field.send_keys(*text)
+        return field
+
+    def open_more(self) -> None:
+        """All orders, and the field for points."""
+        self.run("document.querySelector('details.more').open = true")
+
+    def order(self, label: str) -> None:
+        self.open_more()
+        self.click(f"order-{label}")
+
+    def rectangle(self, name: str) -> dict[str, float]:
+        """Where an element is in the window."""
+        return dict(
+            self.run(
+                "return document.getElementById(arguments[0]).getBoundingClientRect()"
+                ".toJSON()",
+                name,
+            )
+        )
+
+    def shows(
+        self, key: str, value: str, within: float = LIMIT, element: str = ""
+    ) -> None:
         self.until(
-            "return document.documentElement.dataset[arguments[0]] === arguments[1]",
-            *(key, value),
+            f"const e = {ELEMENT};"
+            "return e && e.getAttribute('data-' + arguments[0]) === arguments[2]",
+            *(key, element, value),
             what=f"data-{key}={value}",
             within=within,
         )
@@ -454,11 +485,8 @@ class Page:
 
     def await_images(self, count: int) -> None:
         """That many more."""
-        self.until(
-            "return document.getElementById('picture').dataset.images >= arguments[0]",
-            self.images() + count,
-            what=f"{count} images",
-        )
+        wanted = self.images() + count
+        await_(lambda: self.images() >= wanted, f"{count} images")
 
     def click(self, name: str) -> None:
         await_(lambda: self.visible(name), f"{name} is visible")
@@ -475,21 +503,12 @@ class Page:
         )
         element.click()
 
-    def refresh_recordings(self) -> None:
-        """What is in the list then is new: no row that is about to go."""
+    def replay(self, row: str = "#recordings-list") -> None:
+        """The first recording there, at its first picture. What is in the list is
+        new: no row that is about to go."""
         self.run("document.getElementById('recordings-list').replaceChildren()")
         self.click("recordings-refresh")
-
-    def replay(self, row: str = "#recordings-list") -> None:
-        """The first recording there, at its first picture."""
-        self.refresh_recordings()
-        (button,) = await_(
-            lambda: self.driver.find_elements(
-                By.CSS_SELECTOR, f"{row} [data-do=replay]"
-            ),
-            "the recording",
-        )
-        self.click_element(button)
+        self.click_one(f"{row} [data-do=replay]")
         await_(lambda: self.data("index", "replay-picture"), "the first picture")
 
     def replay_at(self, moment: float) -> None:
@@ -502,14 +521,13 @@ class Page:
 
     def middle(self, name: str) -> tuple[float, float]:
         """Of an element, brought into the window, where it is now."""
-        x, y = self.run(
-            "const e = document.getElementById(arguments[0]);"
-            "e.scrollIntoView({block: 'center', behavior: 'instant'});"
-            "const r = e.getBoundingClientRect();"
-            "return [(r.left + r.right) / 2, (r.top + r.bottom) / 2]",
+        self.run(
+            "document.getElementById(arguments[0])"
+            ".scrollIntoView({block: 'center', behavior: 'instant'})",
             name,
         )
-        return float(x), float(y)
+        r = self.rectangle(name)
+        return r["x"] + r["width"] / 2, r["y"] + r["height"] / 2
 
     def touch(self, event: str, *point: float) -> None:
         """Of one finger: touchStart, touchMove, touchEnd, touchCancel."""
@@ -588,16 +606,14 @@ class Page:
 
     def offset(self, point: Point) -> tuple[int, int]:
         """Of a pixel of the image from the middle of the picture, as it is shown."""
-        wide, high, width, height = self.run(
-            "const p = document.getElementById('picture'),"
-            " r = p.getBoundingClientRect();"
-            "return [r.width, r.height, p.width, p.height]"
-        )
-        scale = min(wide / width, high / height)
-        return (
-            round((point[0] - width / 2) * scale),
-            round((point[1] - height / 2) * scale),
-        )
+        x, y = point[0] - IMAGE[0] / 2, point[1] - IMAGE[1] / 2
+        scale = self.scale()
+        return round(x * scale), round(y * scale)
+
+    def scale(self) -> float:
+        """Pixels of the page for one of the image."""
+        r = self.rectangle("picture")
+        return min(r["width"] / IMAGE[0], r["height"] / IMAGE[1])
 
     def pointer(self, point: Point) -> ActionChains:
         """At a pixel of the image."""
@@ -640,4 +656,5 @@ def pixel(place: Point) -> Point:
     """Where a robot at that place of the arena (cm) is seen, as the emulated camera
     hangs: their middles are the same, and the picture is upside down."""
     scale = 6.33
-    return 320 + scale * (place[0] - 40), 240 - scale * (place[1] - 30)
+    x, y = scale * (place[0] - 40), scale * (place[1] - 30)
+    return IMAGE[0] / 2 + x, IMAGE[1] / 2 - y

@@ -8,7 +8,6 @@ import re
 import pytest
 from conftest import Visitors
 from parties import await_
-from selenium.webdriver.common.by import By
 from selenium.webdriver.common.keys import Keys
 from stand import Page, Stand
 from test_missions import under_way
@@ -36,11 +35,6 @@ def calm(page: Page) -> None:
     assert not page.visible("alarms")
 
 
-def press(page: Page, name: str) -> None:
-    page.run("document.querySelector('details.more').open = true")
-    page.click(name)
-
-
 @pytest.mark.parametrize(
     ("language", "words"), [("en", "Switch the robot on"), ("fr", "Allumez le robot")]
 )
@@ -51,18 +45,13 @@ def test_switched_off(
     page = visitors.open(stand.address, languages=language)
     other = visitors.open(stand.address, 1, languages=language)
     page.start()
-    press(page, "order-RPOF")
+    page.order("RPOF")
     for one in (page, other):
         alarmed(one, "robot_off", words)
         one.shows("robot", "off")
     page.click("start")
-    steps = await_(
-        lambda: page.driver.find_elements(
-            By.CSS_SELECTOR, "#start-steps [data-step=watchdog][data-result=failed]"
-        ),
-        "the start has failed",
-    )
-    assert words in steps[0].text
+    failed = page.one("#start-steps [data-step=watchdog][data-result=failed]")
+    assert words in failed.text
     page.shows("robot", "off")
     stand.emulator.ask("reset-robot")
     page.close_start()
@@ -79,7 +68,7 @@ def test_it_has_switched_itself_off(stand: Stand, page: Page) -> None:
     page.click("start")
     alarmed(page, "robot_off", "Switch the robot on")
     stand.emulator.ask("silent off")
-    press(page, "order-RPIN")
+    page.order("RPIN")
     calm(page)
     page.shows("robot", "open")
 
@@ -120,7 +109,7 @@ def test_camera(
     judge(page, axe, "an alarm")
     stand.emulator.ask("camera mend")
     page.take_wheel()
-    press(page, "order-COPN")
+    page.order("COPN")
     page.shows("camera", "true")
     calm(page)
 

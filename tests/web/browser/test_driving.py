@@ -14,7 +14,6 @@ import pytest
 from conftest import Pictures, Visitors
 from parties import await_
 from selenium.webdriver import ActionChains
-from selenium.webdriver.common.by import By
 from selenium.webdriver.common.keys import Keys
 from stand import Page, Stand, held, pixel
 
@@ -62,7 +61,7 @@ def test_newcomer(stand: Stand, visitors: Visitors) -> None:
     label = str(plot.get_attribute("aria-label"))
     said = re.fullmatch(r"The last (\d+) orders: median (\S+) ms, p99 (\S+) ms", label)
     assert said, label
-    assert len(plot.find_elements(By.CSS_SELECTOR, ".bar")) == int(said[1]) >= 2
+    assert len(page.all("#latency-plot .bar")) == int(said[1]) >= 2
     assert 0 < float(said[2]) <= float(said[3]) < 1000
     assert "full" in str(page.element("battery-plot").get_attribute("aria-label"))
 
@@ -88,34 +87,25 @@ def test_square(stand: Stand, driver: Page, pictures: Pictures) -> None:
     first = emulator.pose
     before_driving = len(emulator.journal())
 
-    def gone(start: tuple[float, float, float]) -> float:
-        return math.dist(start[:2], emulator.pose[:2])
+    def moved(start: tuple[float, float, float]) -> tuple[float, float]:
+        now = emulator.pose
+        return math.dist(start[:2], now[:2]), (now[2] - start[2]) % 360
 
-    def turned(start: tuple[float, float, float]) -> float:
-        return (emulator.pose[2] - start[2]) % 360
-
-    def hold(
-        key: str,
-        measure: Callable[[tuple[float, float, float]], float],
-        enough: float,
-        most: float,
-        picture: str = "",
-    ) -> None:
+    def hold(key: str, turns: int, enough: float, most: float) -> None:
         start = emulator.pose
         with held(driver, key):
-            await_(lambda: measure(start) > enough, f"{enough} more", every=0.005)
-            if picture:
-                pictures.take(driver, picture)
+            await_(lambda: moved(start)[turns] > enough, "so far", every=0.005)
+            if side == 2 and not turns:
+                pictures.take(driver, "web-driving")
         stand.stands()
-        assert measure(start) <= most
+        assert moved(start)[turns] <= most
+        assert turns or emulator.pose[2] == start[2]
 
     for side in range(4):
         forward, left = [(Keys.ARROW_UP, Keys.ARROW_LEFT), ("w", "a")][side % 2]
-        before = emulator.pose
-        hold(forward, gone, 18, 30, "web-driving" if side == 2 else "")
-        assert emulator.pose[2] == before[2]
-        hold(left, turned, 85, 110)
-    assert gone(first) <= 15
+        hold(forward, 0, 18, 30)
+        hold(left, 1, 85, 110)
+    assert moved(first)[0] <= 15
     driving = [n.command for n in emulator.journal()[before_driving:]]
     moves = [text for text in driving if text[:1] in ("M", "T")]
     assert len(moves) == 16, moves
@@ -148,18 +138,16 @@ def test_amounts(stand: Stand, driver: Page) -> None:
     """100 mm forward and 90 degrees, as the fields have them at first."""
     x, y, heading = stand.emulator.pose
     driver.click("move")
-    stand.moves()
-    stand.stands()
+    stand.moves_and_stands()
     assert math.dist((x, y), stand.emulator.pose[:2]) == pytest.approx(10, abs=0.5)
     driver.click("turn")
-    stand.moves()
-    stand.stands()
+    stand.moves_and_stands()
     assert stand.emulator.pose[2] - heading == pytest.approx(90, abs=2)
 
 
 def test_stop_by_key(stand: Stand, driver: Page) -> None:
     """From anywhere on the page, at once, though a driving key is held."""
-    driver.run("document.querySelector('details.more').open = true")
+    driver.open_more()
     for focus in ("", "wheel-release", "move-value", "log-all", "name", "points-value"):
         for key in (Keys.SPACE, Keys.ESCAPE):
             driver.run("document.activeElement.blur()")
@@ -171,8 +159,7 @@ def test_stop_by_key(stand: Stand, driver: Page) -> None:
                 )
                 driver.press(key)
                 stand.stands(within=NOTICED)
-                time.sleep(0.2)
-                assert not stand.emulator.moving, f"it moves again: {focus}"
+                stand.stays(0.2)
             assert driver.data("wheel") == "me", f"{focus} was pressed, too"
 
 
@@ -180,13 +167,10 @@ def test_stop_while_writing(stand: Stand, other: Page, driver: Page) -> None:
     """In a field for text a blank is written, too; that of who only watches stops
     nothing."""
     for page, key in ((driver, " "), (other, Keys.ESCAPE)):
-        driver.element("turn-value").clear()
-        driver.element("turn-value").send_keys("3600")
+        driver.write("turn-value", "3600")
         driver.click("turn")
         stand.moves()
-        name = page.element("name")
-        name.clear()
-        name.send_keys("A")
+        name = page.write("name", "A")
         if page is other:
             name.send_keys(" B")
             time.sleep(0.3)
@@ -200,9 +184,7 @@ def test_stop_while_writing(stand: Stand, other: Page, driver: Page) -> None:
 def test_arrows_after_an_amount(stand: Stand, driver: Page, how: str) -> None:
     """The arrow keys do not stay with the field."""
     for name, key in (("move", Keys.ARROW_DOWN), ("turn", Keys.ARROW_RIGHT)):
-        field = driver.element(f"{name}-value")
-        field.clear()
-        field.send_keys("10")
+        field = driver.write(f"{name}-value", "10")
         if how == "enter":
             field.send_keys(Keys.ENTER)
         else:
@@ -311,13 +293,14 @@ def test_stop_without_gateway(
     stand.drives(driver, "s")
 
 
+def connected(page: Page) -> int:
+    """How often to the supervisor."""
+    return sum(line["code"] == "supervisor_connected" for line in page.log())
+
+
 def test_supervisor_gone(stand: Stand, driver: Page) -> None:
     """The supervisor is ended and comes back: said, and found again."""
-
-    def connected() -> int:
-        return sum(line["code"] == "supervisor_connected" for line in driver.log())
-
-    assert connected() == 1
+    assert connected(driver) == 1
     driver.hold("w")
     stand.moves()
     stand.supervisor.end()
@@ -325,7 +308,7 @@ def test_supervisor_gone(stand: Stand, driver: Page) -> None:
     driver.logged(code="supervisor_lost")
     driver.release("w")
     stand.supervisor = stand.new_supervisor()
-    await_(lambda: connected() == 2, "it is connected again")
+    await_(lambda: connected(driver) == 2, "it is connected again")
     driver.shows("robot", "closed")
     driver.start()
     stand.drives(driver)
@@ -353,15 +336,12 @@ def test_refusal_in_words(stands: Callable[..., Stand], visitors: Visitors) -> N
 
 def test_without_watchdog_asks(stand: Stand, page: Page) -> None:
     page.take_wheel()
-    page.run("document.querySelector('details.more').open = true")
-    page.click("order-ROPN")
+    page.order("ROPN")
     page.shows("robot", "open")
-    page.click("order-RSOW")
-    await_(lambda: page.visible("unguarded"), "the question")
-    page.click("unguarded-cancel")
-    assert not page.visible("unguarded")
-    page.click("order-RSOW")
-    page.click("unguarded-yes")
+    for button in ("unguarded-cancel", "unguarded-yes"):
+        page.order("RSOW")
+        page.click(button)
+        assert not page.visible("unguarded")
     page.shows("robot", "started")
     assert page.data("watchdog") == "false"
     assert stand.emulator.status()["watchdog"] == "off"
@@ -404,24 +384,24 @@ def test_a_hundred_reconnects(stand: Stand, driver: Page, visitors: Visitors) ->
     """Nothing is left of them, and the driver drives."""
     #  Chromium tells of a socket that was closed without a farewell
     visitors.excuse("WebSocket connection to")
-    gateway = stand.gateway.server
-    first = len(os.listdir(f"/proc/{gateway}/fd"))
+    files = f"/proc/{stand.gateway.server}/fd"
+    first = len(os.listdir(files))
+    driver.run(
+        "window.seen = new MutationObserver(() => {"
+        "if (document.documentElement.dataset.link === 'lost') {"
+        " window.lost = true; dispatchEvent(new Event('online')); }});"
+        "window.seen.observe(document.documentElement, {attributes: true})"
+    )
     for _ in range(100):
+        driver.run("window.lost = false")
         stand.cable.tear()
         driver.until(
-            "const { link } = document.documentElement.dataset;"
-            "if (link === 'lost') {"
-            " window.lost = true; dispatchEvent(new Event('online')); }"
-            "else if (link === 'open' && window.lost) {"
-            " window.lost = false; return true; }",
+            "return window.lost && document.documentElement.dataset.link === 'open'",
             what="it was lost, and is connected again",
         )
     driver.shows("wheel", "me")
-    await_(
-        lambda: len(os.listdir(f"/proc/{gateway}/fd")) <= first, "its files are closed"
-    )
-    count = driver.run("return document.querySelectorAll('#viewers > li').length")
-    assert count == 1
+    await_(lambda: len(os.listdir(files)) <= first, "its files are closed")
+    assert len(driver.all("#viewers > li")) == 1
     stand.drives(driver)
     driver.await_images(5)
 
@@ -470,12 +450,9 @@ def test_projector(stand: Stand, visitors: Visitors) -> None:
     page = visitors.open(stand.address, size=(1920, 1080))
     page.start()
     for name in ("stop", "picture", "pad", "tiles", "people", "log-section"):
-        left, top, right, bottom = page.run(
-            "const r = document.getElementById(arguments[0]).getBoundingClientRect();"
-            "return [r.left, r.top, r.right, r.bottom]",
-            name,
-        )
-        assert 0 <= left < right <= 1920 and 0 <= top < bottom <= 1080, name
+        r = page.rectangle(name)
+        assert 0 <= r["left"] < r["right"] <= 1920, name
+        assert 0 <= r["top"] < r["bottom"] <= 1080, name
     letters = page.run("return getComputedStyle(document.documentElement).fontSize")
     assert float(letters.removesuffix("px")) >= 19
 
@@ -497,11 +474,8 @@ def test_projector_view(stand: Stand, driver: Page, visitors: Visitors) -> None:
         )
 
     assert buttons() == {"stop", "projector"}
-    wide, high = page.run(
-        "const r = document.getElementById('picture').getBoundingClientRect();"
-        "return [r.width, r.height]"
-    )
-    assert wide > 1200 and high > 600, "it is large"
+    picture = page.rectangle("picture")
+    assert picture["width"] > 1200 and picture["height"] > 600, "it is large"
     assert page.visible("tiles")
     stand.emulator.ask("battery 0")
     await_(lambda: "charger" in page.text("alarms"), "what is wrong")
@@ -549,8 +523,7 @@ def test_gamepad(stand: Stand, driver: Page) -> None:
     hold((0, -1), 0)
     stand.stands(within=NOTICED)
     hold((0, -1))
-    time.sleep(0.3)
-    assert not stand.emulator.moving
+    stand.stays()
     hold()
     time.sleep(0.1)
     hold((0, -1))
@@ -582,14 +555,7 @@ def test_frozen_gateway(stand: Stand, driver: Page) -> None:
     for process in frozen:
         os.kill(process, signal.SIGCONT)
     driver.logged(code="supervisor_lost")
-    #  the latest first: it has found it again
-    await_(
-        lambda: (
-            [line["code"] for line in driver.log() if "supervisor" in line["code"]]
-            == ["supervisor_connected", "supervisor_lost", "supervisor_connected"]
-        ),
-        "it is connected again",
-    )
+    await_(lambda: connected(driver) == 2, "it is connected again")
     assert not stand.emulator.moving
     driver.take_wheel()
     driver.start()

@@ -5,17 +5,18 @@ over it, and stops for everybody."""
 from __future__ import annotations
 
 import contextlib
+import itertools
 import math
 import re
 import threading
 import time
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 
 import pytest
 from conftest import Pictures, Visitors
 from parties import await_
-from selenium.webdriver.common.by import By
 from selenium.webdriver.common.keys import Keys
+from selenium.webdriver.remote.webelement import WebElement
 from stand import Page, Point, Stand, pixel
 from test_page import judge
 
@@ -28,14 +29,6 @@ def pilot(driver: Page) -> Page:
     """A driver who may send the robot on missions."""
     driver.confirm_arena()
     return driver
-
-
-def reaches(page: Page, leg: str) -> None:
-    page.until(
-        "return document.getElementById('mission').dataset.leg === arguments[0]",
-        leg,
-        what=f"leg {leg}",
-    )
 
 
 def is_over(page: Page) -> None:
@@ -106,11 +99,7 @@ def test_click(stand: Stand, visitors: Visitors, size: tuple[int, int]) -> None:
     place = (55, 40)
     page.click_at(pixel(place))
     (sent,) = page.plan()
-    scale = page.run(
-        "const p = document.getElementById('picture'), r = p.getBoundingClientRect();"
-        "return Math.min(r.width / p.width, r.height / p.height)"
-    )
-    assert math.dist(sent, pixel(place)) < 1 / scale + 0.2, sent
+    assert math.dist(sent, pixel(place)) < 1 / page.scale() + 0.2, sent
     stand.moves()
     said = await_(
         lambda: re.search(r"Point 1 of 1: (\d+) cm left", page.text("mission-text")),
@@ -122,12 +111,10 @@ def test_click(stand: Stand, visitors: Visitors, size: tuple[int, int]) -> None:
 
 
 def test_path_by_clicks(
-    stand: Stand, pilot: Page, visitors: Visitors, pictures: Pictures
+    stand: Stand, pilot: Page, watcher: Page, pictures: Pictures
 ) -> None:
     """Four points in their order; who watches sees them, too."""
     places = [(60.0, 20.0), (60.0, 42.0), (25.0, 42.0), (42.0, 30.0)]
-    other = visitors.open(stand.address, 1)
-    other.shows("wheel", "other")
     film = pictures.film(pilot, "web-path")
     pilot.click("path")
     for point in (*map(pixel, places), (320.0, 240.0)):
@@ -141,12 +128,12 @@ def test_path_by_clicks(
     assert not stand.emulator.moving, "nothing is sent yet"
     film.take()
     pilot.click("path-go")
-    assert pilot.plan() == other.plan() == drawn
+    assert pilot.plan() == watcher.plan() == drawn
     assert not pilot.visible("path-tools")
     with passes(stand, places) as left:
         for leg in "1234":
             film.take_until(lambda at: pilot.data("leg", "mission") == at, leg)
-            reaches(pilot, leg)
+            pilot.shows("leg", leg, element="mission")
             if leg == "3":
                 stand.moves()
                 time.sleep(1)
@@ -154,7 +141,7 @@ def test_path_by_clicks(
         film.take_until(lambda: not pilot.visible("mission"))
         stand.arrives(pilot, places[-1])
     assert left == [], "it passes each of them"
-    is_over(other)
+    is_over(watcher)
 
 
 def test_path_by_dragging(stand: Stand, pilot: Page) -> None:
@@ -163,15 +150,10 @@ def test_path_by_dragging(stand: Stand, pilot: Page) -> None:
     there = [*map(pixel, places)]
     chain = pilot.pointer(there[0]).click_and_hold()
     before = pilot.offset(there[0])
-    for begin, end in ((there[0], there[1]), (there[1], there[2])):
+    for begin, end in itertools.pairwise(there):
         for step in range(1, 11):
-            part = step / 10
-            to = pilot.offset(
-                (
-                    begin[0] + (end[0] - begin[0]) * part,
-                    begin[1] + (end[1] - begin[1]) * part,
-                )
-            )
+            x, y = (a + (b - a) * step / 10 for a, b in zip(begin, end, strict=True))
+            to = pilot.offset((x, y))
             chain.move_by_offset(to[0] - before[0], to[1] - before[1])
             before = to
     chain.release().perform()
@@ -179,8 +161,7 @@ def test_path_by_dragging(stand: Stand, pilot: Page) -> None:
     assert 3 <= len(drawn) <= 6
     for want in there:
         assert min(math.dist(want, point) for point in drawn) < 4, (there, drawn)
-    time.sleep(0.3)
-    assert not stand.emulator.moving, "nothing is sent yet"
+    stand.stays()  # nothing is sent yet
     pilot.click("path-go")
     assert pilot.plan() == drawn
     stand.arrives(pilot, places[-1])
@@ -229,13 +210,11 @@ def test_a_wild_line_is_64_points(stand: Stand, pilot: Page) -> None:
 
 def test_centimetres_by_keyboard(stand: Stand, pilot: Page) -> None:
     """Without pointing: the points are typed."""
-    pilot.run("document.querySelector('details.more').open = true")
-    field = pilot.element("points-value")
-    field.send_keys("40 30; 55", Keys.ENTER)
+    field = typed(pilot, "40 30; 55")
     await_(lambda: "two numbers" in pilot.text("alert"), "what is wrong")
     assert field.get_attribute("aria-invalid") == "true"
     field.send_keys(" 35,5", Keys.ENTER)
-    reaches(pilot, "2")
+    pilot.shows("leg", "2", element="mission")
     assert stand.is_near((40, 30))
     stand.arrives(pilot, (55, 35.5))
 
@@ -250,18 +229,14 @@ def test_ambiguous_points(
     page = visitors.open(stand.address, languages=language)
     page.start()
     page.confirm_arena()
-    page.run("document.querySelector('details.more').open = true")
-    field = page.element("points-value")
     for text in ("20,30 60,30", "20,30 60,30; 40 30", "20,5 30 60,5 40"):
-        field.clear()
-        field.send_keys(text, Keys.ENTER)
+        field = typed(page, text)
         await_(lambda: said in page.text("alert"), "what is wrong")
         assert "20.5 30" in page.text("alert"), "an example"
         assert field.get_attribute("aria-invalid") == "true"
         page.run("document.getElementById('alert').textContent = ''")
     #  one reading alone
-    field.clear()
-    field.send_keys("20,30; 60,30", Keys.ENTER)
+    typed(page, "20,30; 60,30")
     await_(lambda: "20,30" in page.text("alert"), "what is wrong")
     assert not any(line.get("label") in ("MGCM", "MPCM") for line in page.log())
     assert not stand.emulator.moving
@@ -270,7 +245,7 @@ def test_ambiguous_points(
 
 def test_points_are_shown_before_they_are_sent(stand: Stand, pilot: Page) -> None:
     """As they were read, and the first that is wrong."""
-    pilot.run("document.querySelector('details.more').open = true")
+    pilot.open_more()
 
     def read() -> list[str]:
         return pilot.text("points-list").splitlines()
@@ -286,27 +261,22 @@ def test_points_are_shown_before_they_are_sent(stand: Stand, pilot: Page) -> Non
     assert not any(line.get("label") == "MPCM" for line in pilot.log())
     field.send_keys(Keys.ENTER)
     await_(lambda: "“60”" in pilot.text("alert"), "which is wrong")
-    (bad,) = pilot.driver.find_elements(By.CSS_SELECTOR, "#points-list .bad")
-    good = pilot.driver.find_element(By.CSS_SELECTOR, "#points-list li:not(.bad)")
+    (bad,) = pilot.all("#points-list .bad")
+    good = pilot.one("#points-list li:not(.bad)")
     colour = "color"
     assert bad.value_of_css_property(colour) != good.value_of_css_property(colour)
     assert not stand.emulator.moving
 
 
-def typed(page: Page, text: str) -> None:
-    page.run("document.querySelector('details.more').open = true")
-    field = page.element("points-value")
-    field.clear()
-    field.send_keys(text, Keys.ENTER)
+def typed(page: Page, text: str) -> WebElement:
+    page.open_more()
+    return page.write("points-value", text, Keys.ENTER)
 
 
-def test_typed_mission_is_drawn_for_everybody(
-    stand: Stand, visitors: Visitors, pilot: Page
-) -> None:
+def test_typed_mission_is_drawn_for_everybody(pilot: Page, watcher: Page) -> None:
     """In the picture, and where points may be."""
-    other = visitors.open(stand.address, 1)
     typed(pilot, "60 20; 60 40")
-    for page in (pilot, other):
+    for page in (pilot, watcher):
         assert page.plan() == [pytest.approx(pixel((60, y)), abs=2) for y in (20, 40)]
         assert page.points("permitted") == [
             pytest.approx(pixel(corner), abs=2)
@@ -322,25 +292,20 @@ def under_way(stand: Stand, page: Page) -> None:
 
 
 @pytest.mark.parametrize("how", ["space", "stop", "end", "other", "wheel"])
-def test_stopped(stand: Stand, visitors: Visitors, pilot: Page, how: str) -> None:
+def test_stopped(stand: Stand, pilot: Page, watcher: Page, how: str) -> None:
     """By key, by buttons, by who only watches, with the wheel that is given back."""
-    other = visitors.open(stand.address, 1)
-    other.shows("wheel", "other")
     under_way(stand, pilot)
+    button = {"stop": "stop", "wheel": "wheel-release"}.get(how, "mission-end")
+    page = watcher if how == "other" else pilot
     if how == "space":
-        pilot.press(" ")
-    elif how == "wheel":
-        pilot.click("wheel-release")
-    elif how == "other":
-        other.click("mission-end")
+        page.press(" ")
     else:
-        pilot.click({"stop": "stop", "end": "mission-end"}[how])
+        page.click(button)
     stand.stands(within=NOTICED)
-    for page in (pilot, other):
+    for page in (pilot, watcher):
         assert "by hand" in page.logged(code="mission_aborted")["text"]
         is_over(page)
-    time.sleep(1)
-    assert not stand.emulator.moving, "it moves again"
+    stand.stays(1)
 
 
 def test_driven_by_hand(stand: Stand, pilot: Page) -> None:
@@ -361,8 +326,7 @@ def test_stopped_with_the_page(stand: Stand, pilot: Page) -> None:
     under_way(stand, pilot)
     pilot.close()
     stand.stands(within=NOTICED)
-    time.sleep(1)
-    assert not stand.emulator.moving, "it moves again"
+    stand.stays(1)
 
 
 def test_refused(stand: Stand, driver: Page) -> None:
@@ -375,8 +339,7 @@ def test_refused(stand: Stand, driver: Page) -> None:
     driver.confirm_arena()
     driver.click_at((3, 3))
     await_(lambda: "too near" in driver.text("alert"), "it is said")
-    driver.run("document.querySelector('details.more').open = true")
-    driver.click("order-CPST")
+    driver.order("CPST")
     driver.shows("positions", "false")
     driver.click_at((320, 240))
     await_(lambda: "positions are off" in driver.text("alert"), "it is said")
@@ -412,18 +375,15 @@ def test_stray_click(stand: Stand, pilot: Page) -> None:
     pilot.click_at((400, 240))
     pilot.press(Keys.ESCAPE)
     stand.stands(within=NOTICED)
-    time.sleep(1)
-    assert not stand.emulator.moving, "it moves again"
+    stand.stays(1)
     assert not pilot.visible("mission")
     assert pilot.data("plan", "overlay") == ""
 
 
 def test_stop_by_another_withdraws_a_target(
-    stand: Stand, pilot: Page, visitors: Visitors
+    stand: Stand, pilot: Page, watcher: Page
 ) -> None:
     """That which waits for the end of the mission before it does not begin."""
-    other = visitors.open(stand.address, 1)
-    other.shows("wheel", "other")
     under_way(stand, pilot)
     pilot.run(
         "const send = WebSocket.prototype.send;"
@@ -433,14 +393,13 @@ def test_stop_by_another_withdraws_a_target(
     )
     pilot.click_at((400, 240))
     await_(lambda: pilot.run("return !!window.held"), "it ends the first")
-    other.press(" ")
+    watcher.press(" ")
     stand.stands(within=NOTICED)
     pilot.logged(code="stopped_by")
     await_(lambda: pilot.data("plan", "overlay") == "", "nothing is drawn")
     pilot.run("window.held()")
     pilot.logged(label="MABT")
-    time.sleep(1)
-    assert not stand.emulator.moving, "it moves again"
+    stand.stays(1)
     assert not any(line.get("label") == "MGTO" for line in pilot.log())
 
 
@@ -463,8 +422,7 @@ def test_click_that_leaves_a_field(stand: Stand, pilot: Page, name: str) -> None
     pilot.click_at((400, 240))
     await_(lambda: "Click again" in pilot.text("news"), "it is said")
     assert pilot.run("return document.activeElement === document.body")
-    time.sleep(0.3)
-    assert not stand.emulator.moving
+    stand.stays()
     assert not any(line.get("label") == "MGTO" for line in pilot.log())
     pilot.click("path")
     pilot.element(name).click()
@@ -477,16 +435,12 @@ def test_click_that_leaves_a_field(stand: Stand, pilot: Page, name: str) -> None
     stand.moves()
 
 
-def test_who_watches_sends_nothing(
-    stand: Stand, pilot: Page, visitors: Visitors
-) -> None:
-    other = visitors.open(stand.address, 1)
-    other.shows("wheel", "other")
-    other.await_images(1)
-    other.click_at((320, 240))
-    await_(lambda: "Ask for the wheel" in other.text("news"), "why not")
-    other.click("path")
-    assert not other.visible("path-tools")
+def test_who_watches_sends_nothing(pilot: Page, watcher: Page) -> None:
+    watcher.await_images(1)
+    watcher.click_at((320, 240))
+    await_(lambda: "Ask for the wheel" in watcher.text("news"), "why not")
+    watcher.click("path")
+    assert not watcher.visible("path-tools")
     time.sleep(0.3)
     assert not pilot.visible("mission")
 
@@ -544,14 +498,9 @@ def test_axe(stand: Stand, visitors: Visitors, axe: str, dark: bool) -> None:
     judge(other, axe, "a mission, in French, on a phone")
 
 
-def test_replay(
-    stands: Callable[..., Stand],
-    visitors: Visitors,
-    tmp_path_factory: pytest.TempPathFactory,
-) -> None:
+def test_replay(recorder: Stand, visitors: Visitors) -> None:
     """The plan is in the recording, and drawn over its pictures."""
-    stand = stands("--record", tmp_path_factory.mktemp("recordings"))
-    page = visitors.open(stand.address)
+    page = visitors.open(recorder.address)
     page.start()
     page.confirm_arena()
     page.click_at((400, 240))

@@ -10,51 +10,31 @@ import json
 import threading
 import time
 from collections.abc import Callable
-from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
+from functools import partial
+from http.server import SimpleHTTPRequestHandler, ThreadingHTTPServer
 from pathlib import Path
 
 import pytest
-from conftest import Pictures, Visitors
+from conftest import TEACHERS, VIEWERS, Pictures, Visitors
 from parties import await_
-from selenium.webdriver.common.by import By
 from selenium.webdriver.common.keys import Keys
 from selenium.webdriver.remote.webelement import WebElement
 from stand import Page, Stand, held
 
-TEACHERS = "the-teacher-s-own-word"
-VIEWERS = "the-word-for-the-class"
-
-
-@pytest.fixture
-def tokens(tmp_path: Path) -> tuple[str | Path, ...]:
-    """The gateway's options that name their files."""
-    options: list[str | Path] = []
-    for option, word in (("--token", TEACHERS), ("--viewers-token", VIEWERS)):
-        path = tmp_path / option.strip("-")
-        path.touch(mode=0o600)
-        path.write_text(word + "\n", encoding="ascii")
-        options += [option, path]
-    return tuple(options)
-
 
 def rename(page: Page, name: str) -> None:
-    field = page.element("name")
-    field.clear()
-    field.send_keys(name)
+    page.write("name", name)
     page.click("name-change")
 
 
 def log_in(page: Page, token: str) -> None:
     page.element("token").send_keys(token)
-    page.click_element(page.driver.find_element(By.CSS_SELECTOR, "[type=submit]"))
+    page.click_one("[type=submit]")
 
 
-def test_wheel(
-    stand: Stand, driver: Page, visitors: Visitors, pictures: Pictures
-) -> None:
+def test_wheel(stand: Stand, driver: Page, watcher: Page, pictures: Pictures) -> None:
     """Asked for, declined, asked for, given; the robot stands meanwhile."""
-    other = visitors.open(stand.address, 1)
-    other.shows("wheel", "other")
+    other = watcher
     rename(driver, "Ada")
     rename(other, "Grace")
     await_(lambda: "Ada" in other.text("wheel-who"), "who drives")
@@ -63,28 +43,20 @@ def test_wheel(
 
     #  who watches does not drive
     other.press("w")
-    time.sleep(0.3)
-    assert not stand.emulator.moving
+    stand.stays()
     assert other.data("held") == ""
 
     other.click("wheel-ask")
-    ask = await_(
-        lambda: driver.driver.find_elements(By.CSS_SELECTOR, "#asking [data-decline]"),
-        "the question",
-    )
+    driver.one("#asking [data-decline]")
     pictures.take(driver, "web-wheel")
-    driver.click_element(ask[0])
+    driver.click_one("#asking [data-decline]")
     other.logged(code="wheel_declined")
     assert other.data("wheel") == "other"
 
     other.click("wheel-ask")
     with held(driver, "w"):
         stand.moves()
-        give = await_(
-            lambda: driver.driver.find_elements(By.CSS_SELECTOR, "#asking [data-give]"),
-            "the question",
-        )
-        driver.click_element(give[0])
+        driver.click_one("#asking [data-give]")
         other.shows("wheel", "me")
         stand.stands()
     driver.shows("wheel", "other")
@@ -101,11 +73,10 @@ def test_wheel(
     driver.shows("wheel", "free")
 
 
-def test_waiting_for_the_wheel(stand: Stand, driver: Page, visitors: Visitors) -> None:
+def test_waiting_for_the_wheel(driver: Page, watcher: Page) -> None:
     """A request is withdrawn; who waits is told that the wheel is free; who gets
     it is told so."""
-    other = visitors.open(stand.address, 1)
-    other.shows("wheel", "other")
+    other = watcher
     other.click("wheel-ask")
     await_(lambda: driver.visible("asking"), "the question")
     other.click("wheel-withdraw")
@@ -123,24 +94,16 @@ def test_waiting_for_the_wheel(stand: Stand, driver: Page, visitors: Visitors) -
 
 @pytest.mark.parametrize("taken", [True, False])
 def test_the_wheel_is_offered(
-    stand: Stand, driver: Page, visitors: Visitors, taken: bool
+    stand: Stand, driver: Page, watcher: Page, taken: bool
 ) -> None:
     """To one who has not asked, and may decline."""
-    other = visitors.open(stand.address, 1)
-    other.shows("wheel", "other")
-    offer = await_(
-        lambda: driver.driver.find_elements(By.CSS_SELECTOR, "#viewers [data-offer]"),
-        "somebody to offer it to",
-    )
-    driver.click_element(offer[0])
+    other = watcher
+    driver.click_one("#viewers [data-offer]")
     await_(lambda: other.visible("asking"), "the question")
-    assert not other.driver.find_elements(By.CSS_SELECTOR, "#viewers [data-offer]")
-    which = "[data-take]" if taken else "[data-decline]"
+    assert not other.all("#viewers [data-offer]")
     with held(driver, "w"):
         stand.moves()
-        other.click_element(
-            other.driver.find_element(By.CSS_SELECTOR, f"#asking {which}")
-        )
+        other.click_one(f"#asking [data-{'take' if taken else 'decline'}]")
         if taken:
             other.shows("wheel", "me")
             stand.stands()
@@ -153,9 +116,12 @@ def test_the_wheel_is_offered(
         assert driver.data("wheel") == "me"
 
 
-@pytest.mark.parametrize("language", ["en", "fr"])
+@pytest.mark.parametrize(
+    ("language", "keys"),
+    [("en", ("W A S D", "Space", "Esc")), ("fr", ("Z Q S D", "Espace", "Échap"))],
+)
 def test_keyboard_help(
-    stand: Stand, visitors: Visitors, axe: str, language: str
+    stand: Stand, visitors: Visitors, axe: str, language: str, keys: tuple[str, ...]
 ) -> None:
     """By its key and its button; not while a text is written."""
     page = visitors.open(stand.address, languages=language)
@@ -166,11 +132,7 @@ def test_keyboard_help(
         else:
             page.click("help-open")
         await_(lambda: page.visible("help"), "the help")
-        for key in {
-            "en": ("W A S D", "Space", "Esc"),
-            "fr": ("Z Q S D", "Espace", "Échap"),
-        }[language]:
-            assert key in page.text("help")
+        assert all(key in page.text("help") for key in keys)
         judge(page, axe, "the help")
         page.click("help-close")
         assert not page.visible("help")
@@ -186,11 +148,9 @@ def test_keyboard_help(
     assert not page.visible("help")
 
 
-def test_tokens(
-    stands: Callable[..., Stand], tokens: tuple[str | Path, ...], visitors: Visitors
-) -> None:
+def test_tokens(guarded: Stand, visitors: Visitors) -> None:
     """A wrong one, the viewers', and the teacher's, who takes the wheel."""
-    stand = stands(*tokens)
+    stand = guarded
     pupil = visitors.open(stand.address)
     log_in(pupil, "not-the-right-word")
     await_(lambda: pupil.text("refused"), "it is refused")
@@ -217,24 +177,20 @@ def test_tokens(
     assert TEACHERS not in said and VIEWERS not in said
 
 
-def test_pupils(
-    stands: Callable[..., Stand], tokens: tuple[str | Path, ...], visitors: Visitors
-) -> None:
+def test_pupils(guarded: Stand, visitors: Visitors) -> None:
     """A teacher mutes and expels; who logs out has the form again."""
-    stand = stands(*tokens)
-    pupil, teacher = visitors.open(stand.address), visitors.open(stand.address, 1)
+    pupil, teacher = (visitors.open(guarded.address, number) for number in range(2))
     log_in(pupil, VIEWERS)
     pupil.shows("link", "open")
-    assert not pupil.driver.find_elements(By.CSS_SELECTOR, "[data-mute]")
+    assert not pupil.all("[data-mute]")
     pupil.click("wheel-take")
     pupil.shows("wheel", "me")
     log_in(teacher, TEACHERS)
     teacher.shows("wheel", "other")
 
     def button(name: str) -> WebElement:
-        found = teacher.driver.find_elements(By.CSS_SELECTOR, f"[data-{name}]")
-        assert len(found) == 1  # not for herself
-        return found[0]
+        (found,) = teacher.all(f"[data-{name}]")  # not for herself
+        return found
 
     teacher.click_element(button("mute"))
     pupil.shows("wheel", "free")
@@ -245,27 +201,19 @@ def test_pupils(
     await_(lambda: teacher.logged(code="unmuted"), "ended")
     teacher.click_element(button("expel"))
     teacher.click("expel-yes")
-    await_(lambda: pupil.driver.find_elements(By.ID, "token"), "the form")
+    pupil.one("#token")
     assert teacher.logged(code="expelled")
-    teacher.click_element(
-        teacher.driver.find_element(By.CSS_SELECTOR, "#logout button")
-    )
-    await_(lambda: teacher.driver.find_elements(By.ID, "token"), "the form")
+    teacher.click_one("#logout button")
+    teacher.one("#token")
 
 
-def test_join_by_code(
-    stands: Callable[..., Stand],
-    tokens: tuple[str | Path, ...],
-    visitors: Visitors,
-    axe: str,
-) -> None:
+def test_join_by_code(guarded: Stand, visitors: Visitors, axe: str) -> None:
     """What the code says leads a pupil in, who gives the token only if it does not."""
-    stand = stands(*tokens)
-    teacher = visitors.open(stand.address)
+    teacher = visitors.open(guarded.address)
     log_in(teacher, TEACHERS)
     teacher.click("join-open")
     await_(lambda: teacher.visible("join-code"), "the code")
-    assert teacher.text("join-address") == stand.address + "/"
+    assert teacher.text("join-address") == guarded.address + "/"
     judge(teacher, axe, "the code")
     pupil = visitors.open(teacher.text("join-address"), 1)
     assert pupil.visible("token")
@@ -276,24 +224,21 @@ def test_join_by_code(
         pupil.driver.get("about:blank")
         pupil.driver.get(teacher.text("join-address"))
         pupil.shows("link", "open")
-        assert pupil.driver.current_url == stand.address + "/"
+        assert pupil.driver.current_url == guarded.address + "/"
         assert not pupil.visible("join-open")
     assert TEACHERS not in teacher.run("return document.documentElement.outerHTML")
     teacher.click("join-close")
 
 
-def test_the_fifth_page(
-    stands: Callable[..., Stand], tokens: tuple[str | Path, ...], visitors: Visitors
-) -> None:
+def test_the_fifth_page(guarded: Stand, visitors: Visitors) -> None:
     """It says why it is not connected, and what to do."""
     visitors.excuse("/ws")
-    stand = stands(*tokens)
-    first = visitors.open(stand.address)
+    first = visitors.open(guarded.address)
     log_in(first, VIEWERS)
     first.shows("link", "open")
     for _ in range(3):
-        visitors.open(stand.address).shows("link", "open")
-    fifth = visitors.open(stand.address, languages="fr")
+        visitors.open(guarded.address).shows("link", "open")
+    fifth = visitors.open(guarded.address, languages="fr")
     await_(lambda: "Fermez-en une" in fifth.text("alarms"), "it says so")
     first.driver.get("about:blank")
     fifth.shows("link", "open")
@@ -319,58 +264,41 @@ def test_nothing_from_elsewhere(stand: Stand, page: Page, visitors: Visitors) ->
     assert asked == "refused"
 
 
-class Foreign(BaseHTTPRequestHandler):
-    """A page of somebody else."""
-
-    def do_GET(self) -> None:
-        self.send_response(200)
-        self.send_header("Content-Type", "text/html")
-        self.end_headers()
-        self.wfile.write(b"<!doctype html><link rel=icon href=data:,><title>x</title>")
-
-    def log_message(self, *_: object) -> None:
-        pass
-
-
-def test_foreign_page(page: Page, visitors: Visitors) -> None:
+def test_foreign_page(page: Page, visitors: Visitors, tmp_path: Path) -> None:
     """That of another address gets no connection, in the same browser."""
     visitors.excuse("WebSocket connection to")
     page.shows("link", "open")
+    (tmp_path / "index.html").write_text("<link rel=icon href=data:,><title>x</title>")
+    serve = partial(SimpleHTTPRequestHandler, directory=tmp_path)
     #  with threads: a connection that Chromium opens in advance stays silent
-    server = ThreadingHTTPServer(("127.0.0.1", 0), Foreign)
-    threading.Thread(target=server.serve_forever, daemon=True).start()
-    try:
+    with ThreadingHTTPServer(("127.0.0.1", 0), serve) as server:
+        threading.Thread(target=server.serve_forever, daemon=True).start()
         foreign = visitors.open(f"http://127.0.0.1:{server.server_port}")
         ended = foreign.driver.execute_async_script(
             "const socket = new WebSocket(arguments[0]), done = arguments[1];"
             "socket.onopen = () => done('open'); socket.onclose = () => done('closed')",
             page.address.replace("http", "ws") + "/ws",
         )
-    finally:
         server.shutdown()
-        server.server_close()
     assert ended == "closed"
     assert page.data("link") == "open"
 
 
-def test_arena(
-    stand: Stand, driver: Page, visitors: Visitors, pictures: Pictures
-) -> None:
+def test_arena(driver: Page, watcher: Page, pictures: Pictures) -> None:
     """Searched, rejected; searched, confirmed; who watches is not asked."""
-    other = visitors.open(stand.address, 1)
     driver.click("arena-search")
     driver.shows("arena", "found")
-    other.shows("arena", "found")
+    watcher.shows("arena", "found")
     await_(lambda: driver.visible("arena-question"), "the question")
-    assert not other.visible("arena-question")
+    assert not watcher.visible("arena-question")
     pictures.take(driver, "web-arena")
     driver.click("arena-reject")
     driver.shows("arena", "none")
     driver.click("arena-search")
     driver.shows("arena", "found")
     driver.click("arena-confirm")
-    other.shows("arena", "confirmed")
-    other.await_images(5)
+    watcher.shows("arena", "confirmed")
+    watcher.await_images(5)
 
 
 def test_french(stand: Stand, visitors: Visitors) -> None:
@@ -381,9 +309,7 @@ def test_french(stand: Stand, visitors: Visitors) -> None:
     assert page.text("wheel-who") == "Vous conduisez"
     french = set()
     for language in ("fr", "en"):
-        page.click_element(
-            page.driver.find_element(By.CSS_SELECTOR, f"[data-language={language}]")
-        )
+        page.click_one(f"[data-language={language}]")
         assert page.run("return document.documentElement.lang") == language
         texts = page.run(
             "return [...document.querySelectorAll('[data-t]')].map(e =>"
@@ -436,8 +362,7 @@ def test_axe(stand: Stand, visitors: Visitors, axe: str, dark: bool) -> None:
     page.shows("arena", "found")
     judged("arena to be confirmed")
     page.click("arena-reject")
-    page.run("document.querySelector('details.more').open = true")
-    page.click("order-RSOW")
+    page.order("RSOW")
     judge(page, axe, "the question")
     page.click("unguarded-cancel")
     judged("all orders")
@@ -449,53 +374,41 @@ def test_axe(stand: Stand, visitors: Visitors, axe: str, dark: bool) -> None:
     judge(other, axe, "watching, in French, on a phone")
 
 
-def test_axe_login(
-    stands: Callable[..., Stand],
-    tokens: tuple[str | Path, ...],
-    visitors: Visitors,
-    axe: str,
-) -> None:
-    page = visitors.open(stands(*tokens).address)
-    judge(page, axe, "the form")
+def test_axe_login(guarded: Stand, visitors: Visitors, axe: str) -> None:
+    judge(visitors.open(guarded.address), axe, "the form")
 
 
 def test_recording(
-    stands: Callable[..., Stand],
+    recorder: Stand,
+    recordings: Path,
     visitors: Visitors,
-    tmp_path: Path,
     request: pytest.FixtureRequest,
     pictures: Pictures,
 ) -> None:
     """Recorded, replayed with the slider, exported as CSV."""
-    folder = tmp_path / "recordings"
-    folder.mkdir()
-    stand = stands("--record", folder)
+    stand = recorder
     page = visitors.open(stand.address)
     page.start()
     page.click("move")
-    stand.moves()
-    stand.stands()
+    stand.moves_and_stands()
     time.sleep(1)
-    (recording,) = [path.name for path in folder.iterdir()]
+    (recording,) = [path.name for path in recordings.iterdir()]
     row = f"[data-recording='{recording}']"
     page.replay(row)
     page.click("replay-play")
     length = float(page.element("replay-slider").get_attribute("max"))
     assert length > 1000
-    shown: list[int] = []
-    #  the last second has images in any case
+    before = -1
+    #  the very beginning; the last second has images in any case
     for moment in (0.0, length - 500, length):
         page.replay_at(moment)
-        #  the one at the very beginning, then later and later ones
-        await_(
-            lambda: (
-                int(page.data("index", "replay-picture")) > shown[-1]
-                if shown
-                else page.data("index", "replay-picture") == "0"
-            ),
-            f"the picture at {moment} of {length} ms, but {page.text('replay-note')}",
+        page.until(
+            "const n = Number(document.getElementById('replay-picture').dataset.index);"
+            "return arguments[0] < 0 ? n === 0 : n > arguments[0]",
+            before,
+            what=f"{moment} of {length} ms, but {page.text('replay-note')}",
         )
-        shown.append(int(page.data("index", "replay-picture")))
+        before = int(page.data("index", "replay-picture"))
     pictures.take(page, "web-replay", at="replay")
 
     text = page.run(
@@ -514,42 +427,33 @@ def test_recording(
 
 
 def test_recordings_are_named_and_deleted(
-    stands: Callable[..., Stand], visitors: Visitors, tmp_path: Path, axe: str
+    stands: Callable[..., Stand], visitors: Visitors, recordings: Path, axe: str
 ) -> None:
     """A name is kept; a deletion is asked for; that being written stays."""
-    folder = tmp_path / "recordings"
-    old = folder / "20261123T120000.123Z"
-    old.mkdir(parents=True)
+    old = recordings / "20261123T120000.123Z"
+    old.mkdir()
     (old / "events.jsonl").write_text('{"t":1,"type":"state"}\n', encoding="ascii")
     (old / "images.mjpeg").touch()
-    stand = stands("--record", folder)
-    page = visitors.open(stand.address)
+    page = visitors.open(stands("--record", recordings).address)
     page.shows("link", "open")
-
-    def row(selector: str) -> list[WebElement]:
-        found: list[WebElement] = page.driver.find_elements(
-            By.CSS_SELECTOR, f"[data-recording='{old.name}'] {selector}"
-        )
-        return found
-
-    page.click_element(await_(lambda: row("[data-do=name]"), "its buttons")[0])
-    row("input")[0].send_keys("Première fois", Keys.ENTER)
-    await_(lambda: row("strong") and row("strong")[0].text, "the name")
+    row = f"[data-recording='{old.name}']"
+    page.click_one(f"{row} [data-do=name]")
+    page.one(f"{row} input").send_keys("Première fois", Keys.ENTER)
+    await_(lambda: page.one(f"{row} strong").text, "the name")
     page.driver.refresh()
     page.shows("link", "open")
-    await_(lambda: row("strong"), "the name")
-    assert row("strong")[0].text == "Première fois"
+    assert page.one(f"{row} strong").text == "Première fois"
     assert (old / "title.txt").read_text(encoding="utf-8") == "Première fois"
-    deletes = page.driver.find_elements(By.CSS_SELECTOR, "[data-do=delete]")
+    deletes = page.all("[data-do=delete]")
     assert len(deletes) == 1, "not of the recording that is being written"
     for button in ("delete-no", "delete-yes"):
-        page.click_element(row("[data-do=delete]")[0])
+        page.click_one(f"{row} [data-do=delete]")
         await_(lambda: page.visible("delete"), "the question")
         assert "Première fois" in page.text("delete")
         judge(page, axe, "the question")
         assert old.exists()
         page.click(button)
-    await_(lambda: not row("td"), "it is gone")
+    await_(lambda: not page.all(f"{row} td"), "it is gone")
     assert not old.exists()
 
 
@@ -557,19 +461,13 @@ def test_viewers_do_not_delete(
     stands: Callable[..., Stand],
     tokens: tuple[str | Path, ...],
     visitors: Visitors,
-    tmp_path: Path,
+    recordings: Path,
 ) -> None:
     """They replay."""
-    folder = tmp_path / "recordings"
-    folder.mkdir()
-    stand = stands("--record", folder, *tokens)
+    stand = stands("--record", recordings, *tokens)
     for number, word in enumerate((VIEWERS, TEACHERS)):
         page = visitors.open(stand.address, number)
         log_in(page, word)
         page.shows("link", "open")
-        page.until(
-            "return document.querySelector('#recordings-list button')",
-            what="the recording",
-        )
-        names = page.driver.find_elements(By.CSS_SELECTOR, "[data-do=name]")
-        assert len(names) == number
+        page.one("#recordings-list button")
+        assert len(page.all("[data-do=name]")) == number

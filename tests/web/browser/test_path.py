@@ -13,11 +13,11 @@ from selenium.webdriver.common.keys import Keys
 from stand import Stand, held, patient_gateway, pixel
 
 
-def test_path(stands: Callable[..., Stand], visitors: Visitors, tmp_path: Path) -> None:
+def test_path(
+    stands: Callable[..., Stand], visitors: Visitors, tmp_path: Path, recordings: Path
+) -> None:
     """Start, a key, Space, the arena, a mission, its replay. No time is measured."""
-    folder = tmp_path / "recordings"
-    folder.mkdir()
-    stand = stands("--record", folder, program=patient_gateway(tmp_path))
+    stand = stands("--record", recordings, program=patient_gateway(tmp_path))
     x, y, _ = stand.emulator.pose
     page = visitors.open(stand.address)
     page.start()
@@ -38,7 +38,7 @@ def test_path(stands: Callable[..., Stand], visitors: Visitors, tmp_path: Path) 
     page.click_at(pixel(place))
     stand.arrives(page, place)
 
-    (recording,) = folder.iterdir()
+    (recording,) = recordings.iterdir()
     events = recording / "events.jsonl"
     await_(lambda: "mission_done" in events.read_text("utf-8"), "it is recorded")
     page.replay(f"[data-recording='{recording.name}']")

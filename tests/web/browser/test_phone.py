@@ -4,7 +4,6 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable
 
 import pytest
 from conftest import Visitors
@@ -59,15 +58,11 @@ def judge_screen(page: Page, state: str) -> None:
     [("en", (WIDTH, 844)), ("fr", (WIDTH, 844)), ("fr", (844, WIDTH))],
 )
 def test_phone(
-    stands: Callable[..., Stand],
-    visitors: Visitors,
-    tmp_path_factory: pytest.TempPathFactory,
-    language: str,
-    size: tuple[int, int],
+    recorder: Stand, visitors: Visitors, language: str, size: tuple[int, int]
 ) -> None:
     """Each state of a session, up to the replay of its recording."""
-    stand = stands("--record", tmp_path_factory.mktemp("recordings"))
-    page = visitors.open(stand.address, languages=language, size=size, touch=True)
+    address = recorder.address
+    page = visitors.open(address, languages=language, size=size, touch=True)
     page.shows("link", "open")
     judge_screen(page, "at first")
     page.start()
@@ -85,11 +80,11 @@ def test_phone(
     await_(lambda: page.text("alert"), "why not")
     judge_screen(page, "an empty path")
     page.click("path")
-    other = visitors.open(stand.address, 1, size=size, touch=True)
+    other = visitors.open(address, 1, size=size, touch=True)
     other.shows("wheel", "other")
     other.click("wheel-ask")
     await_(lambda: page.visible("asking"), "the question")
-    page.run("document.querySelector('details.more').open = true")
+    page.open_more()
     judge_screen(page, "all orders, and one who asks")
     page.replay()
     judge_screen(page, "the replay")

@@ -11,11 +11,12 @@ import select
 import socket
 import subprocess
 import sys
-from collections.abc import AsyncIterator, Callable
+from collections.abc import AsyncIterator, Callable, Iterable
 from pathlib import Path
 from typing import Any
 
 import aiohttp
+import pytest
 from destijl_web.options import Options
 from destijl_web.server import Service
 
@@ -292,6 +293,25 @@ class World:
         self._clients.append(client)
         return client
 
+    def request(self, line: str, *further: str) -> bytes:
+        """Without its last line."""
+        lines = (f"{line} HTTP/1.1", f"Host: 127.0.0.1:{self.service.port}", *further)
+        return "".join(one + "\r\n" for one in lines).encode()
+
+    async def raw(self, pieces: Iterable[bytes]) -> bytes:
+        """What is answered to these, until the gateway closes."""
+        reader, writer = await asyncio.open_connection("127.0.0.1", self.service.port)
+        async with asyncio.timeout(LIMIT):
+            try:
+                for piece in pieces:
+                    writer.write(piece)
+                    await writer.drain()
+                return await reader.read()
+            except ConnectionError:
+                return b""
+            finally:
+                writer.close()
+
     async def page(self, client: aiohttp.ClientSession | None = None) -> Page:
         client = client or self.client()
         ws = await client.ws_connect(f"{self.url}/ws", origin=self.url)
@@ -300,11 +320,38 @@ class World:
         page.welcome = await page.expect("welcome")
         return page
 
+    async def log_in(
+        self, token: str, client: aiohttp.ClientSession | None = None, /, **headers: str
+    ) -> aiohttp.ClientResponse:
+        """What is answered."""
+        async with (client or self.client()).post(
+            f"{self.url}/login",
+            data={"token": token},
+            headers=headers,
+            allow_redirects=False,
+        ) as answer:
+            return answer
+
     async def logged_in(self, token: str) -> aiohttp.ClientSession:
         client = self.client()
-        async with client.post(f"{self.url}/login", data={"token": token}) as answer:
-            assert answer.status == 200
+        assert (await self.log_in(token, client)).headers["Location"] == "/"
         return client
+
+    async def status(self, path: str, **headers: str) -> int:
+        async with self.client().get(self.url + path, headers=headers) as answer:
+            return answer.status
+
+    async def refused(
+        self, client: aiohttp.ClientSession, origin: str | None = "", /, **headers: str
+    ) -> int:
+        """The status with which it gets no connection."""
+        with pytest.raises(aiohttp.WSServerHandshakeError) as reason:
+            await client.ws_connect(
+                f"{self.url}/ws",
+                origin=self.url if origin == "" else origin,
+                headers=headers,
+            )
+        return reason.value.status
 
     async def pupil(self) -> Page:
         return await self.page(await self.logged_in(TOKENS["viewers_token"]))

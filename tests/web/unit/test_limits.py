@@ -3,7 +3,6 @@
 
 import asyncio
 import gzip
-from collections.abc import Iterable
 
 import pytest
 from aiohttp import MultipartWriter, WSServerHandshakeError
@@ -13,57 +12,36 @@ from helpers import LIMIT, TOKENS, Page, World, until
 #  Requests
 
 
-async def raw(w: World, pieces: Iterable[bytes]) -> bytes:
-    """What is answered to these, until the gateway closes."""
-    reader, writer = await asyncio.open_connection("127.0.0.1", w.service.port)
-    async with asyncio.timeout(LIMIT):
-        try:
-            for piece in pieces:
-                writer.write(piece)
-                await writer.drain()
-            return await reader.read()
-        except ConnectionError:
-            return b""
-        finally:
-            writer.close()
-
-
-def request(w: World, line: str, *further: str) -> bytes:
-    lines = (f"{line} HTTP/1.1", f"Host: 127.0.0.1:{w.service.port}", *further)
-    return "".join(one + "\r\n" for one in lines).encode()
-
-
 async def test_one_request_a_connection(w: World) -> None:
-    one = request(w, "GET /recordings") + b"\r\n"
-    answer = await raw(w, [one, one])
+    one = w.request("GET /recordings") + b"\r\n"
+    answer = await w.raw([one, one])
     assert answer.startswith(b"HTTP/1.1 404 ")
     assert answer.count(b"HTTP/1.1") == 1
     assert b"Connection: close\r\n" in answer
 
 
 async def test_pipelined(w: World) -> None:
-    one = request(w, "GET /recordings") + b"\r\n"
-    assert (await raw(w, [one * 10_000])).count(b"HTTP/1.1") <= 1
+    one = w.request("GET /recordings") + b"\r\n"
+    assert (await w.raw([one * 10_000])).count(b"HTTP/1.1") <= 1
 
 
 async def test_no_request(w: World, caplog: pytest.LogCaptureFixture) -> None:
     for said in (b"\x16\x03\x01\x02\x00", b"HELO there", b"GET / HTTP/x.y"):
-        assert b" 400 " in await raw(w, [said + b"\r\n\r\n"])
+        assert b" 400 " in await w.raw([said + b"\r\n\r\n"])
     assert caplog.text == ""
 
 
 @pytest.mark.parametrize("size", [1, 10_000])
 async def test_a_request_without_end(w: World, size: int) -> None:
     line = b"X: " + b"x" * size + b"\r\n"
-    await raw(w, [request(w, "GET /"), *[line * (10_000 // size)] * 100])
+    await w.raw([w.request("GET /"), *[line * (10_000 // size)] * 100])
 
 
 @pytest.mark.parametrize("length", ["Content-Length: 9999999", "Expect: 100-continue"])
 async def test_a_body_without_end(w: World, length: str) -> None:
-    head = request(
-        w, "POST /login", length, "Transfer-Encoding: chunked"[: len(length)]
-    )
-    await raw(w, [head + b"\r\n", *[b"fff\r\n" + b"x" * 0xFFF + b"\r\n"] * 1000])
+    chunked = "Transfer-Encoding: chunked"[: len(length)]
+    head = w.request("POST /login", length, chunked)
+    await w.raw([head + b"\r\n", *[b"fff\r\n" + b"x" * 0xFFF + b"\r\n"] * 1000])
 
 
 @pytest.mark.world(TOKENS)
@@ -100,12 +78,6 @@ async def test_connections_are_bounded_at_once(w: World) -> None:
 #  Places
 
 
-async def refused(w: World, *places: object) -> int:
-    with pytest.raises(WSServerHandshakeError) as reason:
-        await w.page(*places)  # type: ignore[arg-type]
-    return reason.value.status
-
-
 @pytest.fixture
 def no_heartbeat(monkeypatch: pytest.MonkeyPatch) -> None:
     """Of pages that read nothing for long."""
@@ -117,7 +89,7 @@ async def test_viewers_are_bounded(w: World) -> None:
     client = w.client()
     for _ in range(hub.MAX_VIEWERS):
         await w.page(client)
-    assert await refused(w, client) == 503
+    assert await w.refused(client) == 503
 
 
 @pytest.mark.usefixtures("no_heartbeat")
@@ -146,7 +118,7 @@ async def test_nobody_comes_and_goes_too_often(w: World) -> None:
     client = await w.logged_in(TOKENS["viewers_token"])
     for _ in range(10):
         await (await w.page(client)).close()
-    assert await refused(w, client) == 429
+    assert await w.refused(client) == 429
     w.pass_time(1.1)
     await (await w.page(client)).settle()
 
@@ -387,7 +359,7 @@ async def test_expelled(w: World) -> None:
         assert await page.closed() == hub.SESSION_OVER
     await w.supervisor.heard("RSTP")
     await other.state(driver=None)
-    assert await refused(w, client) == 401
+    assert await w.refused(client) == 401
     await other.settle()
 
 
@@ -397,13 +369,8 @@ async def test_expelled_with_its_address(w: World) -> None:
     client, teacher = w.client(), await w.teacher()
 
     async def log_in() -> str:
-        async with client.post(
-            f"{w.url}/login",
-            data={"token": TOKENS["viewers_token"]},
-            headers=there,
-            allow_redirects=False,
-        ) as answer:
-            return answer.headers["Location"]
+        answer = await w.log_in(TOKENS["viewers_token"], client, **there)
+        return answer.headers["Location"]
 
     assert await log_in() == "/"
     (cookie,) = client.cookie_jar

@@ -7,6 +7,7 @@ import resource
 import threading
 from datetime import datetime
 from pathlib import Path
+from queue import Queue
 from typing import Any
 
 import pytest
@@ -294,25 +295,20 @@ async def test_nothing_is_recorded() -> None:
 
 
 def test_no_way_out_by_a_link(tmp_path: Path) -> None:
+    outside = stored(tmp_path, "outside")
     inside = tmp_path / "inside"
-    outside = tmp_path / "outside"
-    for folder in (inside, outside):
-        folder.mkdir()
-    (outside / "events.jsonl").write_text("secret")
-    (outside / "images.mjpeg").write_text("")
-    (inside / "20261123T120000.123Z").symlink_to(outside)
+    inside.mkdir()
+    link, folder = OLD[:2]
+    (inside / link).symlink_to(outside)
     recordings = Recordings(inside)
     assert recordings.all() == []
-    assert not recordings.delete("20261123T120000.123Z")
-    assert not recordings.entitle("20261123T120000.123Z", "x")
-    assert sorted(path.name for path in outside.iterdir()) == [
-        *("events.jsonl", "images.mjpeg")
-    ]
-    assert recordings.file("20261123T120000.123Z", "events.jsonl") is None
-    kept = inside / "20261123T120000.124Z"
-    kept.mkdir()
-    (kept / "events.jsonl").symlink_to(outside / "events.jsonl")
-    assert recordings.file("20261123T120000.124Z", "events.jsonl") is None
+    assert not recordings.delete(link)
+    assert not recordings.entitle(link, "x")
+    assert {path.name for path in outside.iterdir()} == {"events.jsonl", "images.mjpeg"}
+    (inside / folder).mkdir()
+    (inside / folder / "events.jsonl").symlink_to(outside / "events.jsonl")
+    for name in (link, folder):
+        assert recordings.file(name, "events.jsonl") is None
 
 
 def test_torn_recordings(tmp_path: Path) -> None:
@@ -336,21 +332,9 @@ def test_images_are_counted_across_pieces(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr("destijl_web.recordings._PIECE", 17)
-    folder = tmp_path / "20261123T120000.123Z"
-    folder.mkdir()
-    (folder / "events.jsonl").write_text('{"t":1,"type":"image","offset":0}\n' * 50)
-    (folder / "images.mjpeg").touch()
+    events = stored(tmp_path, OLD[0]) / "events.jsonl"
+    events.write_text('{"t":1,"type":"image","offset":0}\n' * 50)
     assert Recordings(tmp_path).all()[0]["images"] == 50
-
-
-class Failures:
-    def __init__(self) -> None:
-        self.reasons: list[str] = []
-        self.come = threading.Event()
-
-    def __call__(self, _: Recording, reason: str) -> None:
-        self.reasons.append(reason)
-        self.come.set()
 
 
 async def test_a_full_disk(tmp_path: Path) -> None:
@@ -375,23 +359,23 @@ async def test_a_full_disk(tmp_path: Path) -> None:
 
 
 def test_a_folder_that_is_gone(tmp_path: Path) -> None:
-    failures = Failures()
-    made = Recording(tmp_path / "gone", 10**9, failures)
-    assert failures.come.wait(LIMIT)
+    reasons: Queue[str] = Queue()
+    made = Recording(tmp_path / "gone", 10**9, lambda _, reason: reasons.put(reason))
+    assert reasons.get(timeout=LIMIT) == "No such file or directory"
     made.put("event", {})
     made.join()
-    assert failures.reasons == ["No such file or directory"]
+    assert reasons.empty()
 
 
 def test_a_disk_that_is_slow(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(recording, "MAX_WAITING", 1_000_000)
     hangs = threading.Event()
     monkeypatch.setattr(Recording, "_write", lambda self: hangs.wait(LIMIT))
-    failures = Failures()
-    made = Recording(tmp_path, 10**9, failures)
+    reasons: list[str] = []
+    made = Recording(tmp_path, 10**9, lambda _, reason: reasons.append(reason))
     for number in range(20):
         made.put("image", {}, jpeg(number, 100_000))
-    assert failures.reasons == ["the disk is too slow"]
+    assert reasons == ["the disk is too slow"]
     hangs.set()
     made.join()
 

@@ -330,15 +330,6 @@ async def test_the_last_image_for_a_newcomer(w: World) -> None:
     assert later.images == []
 
 
-async def _refused(w: World, text: str | bytes) -> None:
-    page = await w.page()
-    if isinstance(text, bytes):
-        await page.ws.send_bytes(text)
-    else:
-        await page.ws.send_str(text)
-    assert await page.closed() == 1008
-
-
 @pytest.mark.parametrize(
     "text",
     [
@@ -350,8 +341,12 @@ async def _refused(w: World, text: str | bytes) -> None:
     ],
 )
 async def test_malformed_ends_the_connection(w: World, text: str | bytes) -> None:
-    other = await w.page()
-    await _refused(w, text)
+    other, page = await w.page(), await w.page()
+    if isinstance(text, bytes):
+        await page.ws.send_bytes(text)
+    else:
+        await page.ws.send_str(text)
+    assert await page.closed() == 1008
     await other.settle()
     assert len(w.service.hub.viewers) == 1
 
