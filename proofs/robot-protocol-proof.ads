@@ -8,8 +8,8 @@ package Robot.Protocol.Proof with SPARK_Mode, Ghost is
      Pre => Data'First = 1
        and then Data'Last < Integer'Last
        and then (for all B of Data => B /= Terminator);
-   --  Any bytes and a terminator make one frame: these bytes, or an empty one
-   --  if they are too many. Decode turns it into an answer to Pending, a
-   --  refusal, or a failure. Asserted in the body.
+   --  Any bytes before a terminator make one frame: these bytes, or one that
+   --  is too long. Decode turns it into an answer to Pending, a refusal, or a
+   --  failure. Asserted in the body.
 
 end Robot.Protocol.Proof;

@@ -5,6 +5,7 @@ with Admission;
 with Admission.Secret_Files;
 with Console;
 with Monitor.Sockets;
+with Process.Devices;
 with Process.Privileges;
 with Robot.Serial_Line;
 with Texts;
@@ -50,7 +51,7 @@ package body Checks with SPARK_Mode is
       Ignored : Boolean;
    begin
       --  a console is left alone: messages would come in between, anyway
-      Robot.Serial_Line.Get_Use (Path, Reason);
+      Process.Devices.Get_Use (Path, Reason);
       if Reason.Length > 0 then
          Texts.Append (Reason, ": see 'Troubleshooting' in the manual");
       else

@@ -1,7 +1,7 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
 
 with Ada.Real_Time;  use Ada.Real_Time;
-with Bytes;
+with Bytes;          use type Bytes.Byte;
 with Command_Lines;
 with Journal;
 with Options;
@@ -23,22 +23,19 @@ package body Robot.Exchange with SPARK_Mode is
    is
       Chosen : Options.Values renames Command_Lines.Given.Chosen;
       Reason : Texts.Text;
-      Line   : Texts.Text;
    begin
       Robot.Serial_Line.Open (Chosen.Serial, Success, Reason);
       Held.Told := False;
       Held.Unasked := 0;
-      Texts.Set
-        (Line, (if Success then "robot line open on "
-                else "robot line cannot be opened on "));
-      Texts.Append (Line, Texts.Image (Chosen.Serial));
-      if not Success then
-         Texts.Append (Line, ": ");
-         Texts.Append (Line, Texts.Image (Reason));
+      if Success then
+         Journal.Put
+           (Options.Info, "robot line open on " & Texts.Image (Chosen.Serial));
+      else
+         Journal.Put
+           (Options.Error,
+            "robot line cannot be opened on " & Texts.Image (Chosen.Serial)
+            & ": " & Texts.Image (Reason));
       end if;
-      Journal.Put
-        ((if Success then Options.Info else Options.Error),
-         Texts.Image (Line));
    end Open_Device;
 
    procedure Discard_Unasked
@@ -49,23 +46,25 @@ package body Robot.Exchange with SPARK_Mode is
    is
       --  Discards what has come before a command of Kind is sent. Talks: there
       --  was a whole frame. That may be noise, or the device goes on like that
-      Receiving : Receiver;
-      In_Frame  : Frame;
-      Data      : Bytes.Byte_Array (1 .. Max_Frame);
-      Length    : Natural;
-      Ignored   : Boolean;
-      Complete  : Boolean;
+      In_Frame : Frame;
+      Data     : Bytes.Byte_Array (1 .. Max_Frame);
+      Length   : Natural;
+      Ignored  : Boolean;
    begin
       Talks := False;
       Robot.Serial_Line.Read (Data, Length, Until_Now, Ignored);
-      Robot.Serial_Line.Discard_Input;
+      if Length > 0 then
+         Robot.Serial_Line.Discard_Input;
+      end if;
       for I in 1 .. Length loop
-         Accept_Byte (Receiving, Data (I), In_Frame, Complete);
-         Talks := Talks
-           or else
-             (Complete
-              and then Decode (In_Frame, Kind).Kind
-                not in Bad_Checksum | Malformed);
+         if Data (I) /= Terminator then
+            Append (In_Frame, Data (I));
+         else
+            Talks := Talks
+              or else Decode (In_Frame, Kind).Kind
+                not in Bad_Checksum | Malformed;
+            In_Frame.Length := 0;
+         end if;
       end loop;
       Held.Unasked :=
         (if Talks then Natural'Min (Held.Unasked + 2, 6)
@@ -93,18 +92,16 @@ package body Robot.Exchange with SPARK_Mode is
       --  classes are late answers to earlier commands, and are skipped.
       --  Otherwise none is due before, and what a device sends that goes on
       --  sending is no answer
-      In_Frame  : Frame;
-      Receiving : Receiver;
-      Data      : Bytes.Byte_Array (1 .. Max_Frame);
-      Ignored   : Bytes.Byte_Array (1 .. Max_Frame);
-      Length    : Natural;
-      Sent      : Boolean;
-      Alive     : Boolean;
-      Complete  : Boolean;
-      Talks     : Boolean := False;
-      Has_Left  : Time;
-      Deadline  : Time;
-      Now       : Time;
+      In_Frame : Frame;
+      Data     : Bytes.Byte_Array (1 .. Max_Frame);
+      Ignored  : Bytes.Byte_Array (1 .. Max_Frame);
+      Length   : Natural;
+      Sent     : Boolean;
+      Alive    : Boolean;
+      Talks    : Boolean := False;
+      Has_Left : Time;
+      Deadline : Time;
+      Now      : Time;
    begin
       Last := (others => <>);
       Now := Clock;
@@ -113,11 +110,10 @@ package body Robot.Exchange with SPARK_Mode is
       else
          Discard_Unasked (Held, Item.Kind, Now, Talks);
       end if;
-      Robot.Serial_Line.Write (Item, Mode, Length, Sent);
+      Robot.Serial_Line.Write (Who, Item, Mode, Length, Sent);
       Has_Left := Now + Length * Schedule.Byte_Time;
       Deadline := Has_Left
         + Milliseconds (Command_Lines.Given.Chosen.Answer_Timeout);
-      Trace.Put (Trace.Ordered, Who, Label => Letter (Item.Kind) & "     ");
       Trace.Put (Trace.Wait, Who, Label => Trace.Answer);
       if not Sent or else Held.Unasked > 4
         or else (Held.Unasked > 0 and then Item.Kind in Start | Start_Watchdog)
@@ -126,19 +122,20 @@ package body Robot.Exchange with SPARK_Mode is
       end if;
       loop
          Robot.Serial_Line.Read (Data, Length, Deadline, Alive);
-         if not Alive or else Length = 0 then
-            return;
-         end if;
          Now := Clock;
-         if Talks and then Now < Has_Left then
-            --  the robot cannot have heard the command yet
+         --  before it has left the robot cannot have heard the command
+         if not Alive or else Length = 0
+           or else (Talks and then Now < Has_Left)
+         then
             return;
          end if;
          for I in 1 .. Length loop
-            Accept_Byte (Receiving, Data (I), In_Frame, Complete);
-            if Complete then
+            if Data (I) /= Terminator then
+               Append (In_Frame, Data (I));
+            else
                Last.Reply := Decode (In_Frame, Item.Kind);
                Last.Text := Text_Of (In_Frame);
+               In_Frame.Length := 0;
                Last.Ok :=
                  (if Skip_Late then Is_Answer (Last.Reply.Kind, Item.Kind)
                   else Last.Reply.Kind not in Failed_Reply
@@ -186,10 +183,7 @@ package body Robot.Exchange with SPARK_Mode is
             end if;
          when Robot.Session.Send =>
             Robot.Serial_Line.Write
-              (Step.Command, Mode, Ignored, Last.Ok);
-            Trace.Put
-              (Trace.Ordered, Who,
-               Label => Letter (Step.Command.Kind) & "     ");
+              (Who, Step.Command, Mode, Ignored, Last.Ok);
          when Robot.Session.Exchange | Robot.Session.Synchronise =>
             Exchange
               (Who, Held, Step.Command, Mode,
@@ -215,13 +209,13 @@ package body Robot.Exchange with SPARK_Mode is
          (if Request.Kind = Commands.Open_Line and then State.Line_Open
           then (Kind => Commands.Ping, others => <>)
           else Request),
-         Progress, Step);
-      while Step.Kind /= Robot.Session.Finish loop
+         Progress);
+      loop
          pragma Loop_Invariant (Robot.Session.Is_Under_Way (State, Progress));
-         pragma Loop_Invariant
-           (Robot.Session.Is_Allowed (State, Progress, Step));
          pragma Loop_Variant
            (Decreases => Robot.Session.Steps_Left (State, Progress));
+         Step := Robot.Session.Next_Step (State, Progress);
+         exit when Step.Kind = Robot.Session.Finish;
          if Robot.Session.Is_Sent (Step)
            and then Step.Command.Kind in Start | Start_Watchdog | Reload
          then
@@ -229,7 +223,7 @@ package body Robot.Exchange with SPARK_Mode is
          end if;
          Take_Step (Who, Held, State.Mode, Step, Last);
          Trace.Put (Trace.Resume, Who);
-         Robot.Session.Continue_Request (State, Progress, Last, Step);
+         Robot.Session.Continue_Request (State, Progress, Last);
       end loop;
       Held.State := State;
       Result := Progress.Result;

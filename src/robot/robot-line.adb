@@ -1,19 +1,12 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
 --  The object only locks; Robot.Requests and Robot.Line_Status decide.
 
-with Ada.Real_Time; use Ada.Real_Time;
 with Command_Lines;
-with Trace;
 
 package body Robot.Line with SPARK_Mode is
 
-   type Turn is record
-      Given  : Boolean := False;
-      To     : Task_Name := Th_Move;
-      Number : Commands.Ticket := 0;
-   end record;
-   --  Given: the line is free, and this task is to be woken for the next
-   --  request. Number: of the monitor's order, if it is one
+   use type Commands.Ticket;
+   use type Robot.Requests.Source;
 
    procedure Look_At_Clock
      (Waiting : in out Robot.Requests.Requests;
@@ -49,56 +42,12 @@ package body Robot.Line with SPARK_Mode is
       end if;
    end Choose;
 
-   protected Line with Priority => Schedule.Line_Ceiling is
-      procedure Begin_Session (First : Commands.Ticket);
-      procedure Put (Item : Robot.Requests.Job; Next : out Turn);
-      procedure Look
-        (From : Robot.Requests.Periodic; Due : out Time; Next : out Turn);
-      procedure Take
-        (Who     : Task_Name;
-         Item    : in out Robot.Requests.Job;
-         Verdict : out Robot.Requests.Verdict_Kind;
-         Held    : out Robot.Line_Status.Dialogue;
-         Found   : out Boolean);
-      procedure Finish
-        (Done   : Robot.Requests.Job;
-         Held   : Robot.Line_Status.Dialogue;
-         Result : Commands.Outcome;
-         Next   : out Turn);
-      procedure Get_Status (Current : out Robot.Line_Status.Status);
-      procedure Get_Rights
-        (Number : Commands.Ticket; Is_Over, By_Hand : out Boolean);
-   private
-      Waiting  : Robot.Requests.Requests;
-      State    : Robot.Line_Status.State;
-      Dialogue : Robot.Line_Status.Dialogue;
-      --  while no task has the line
-      Asked    : Time := Time_First;
-      --  when the mission made its last request
-   end Line;
-
    protected body Line is
 
       procedure Begin_Session (First : Commands.Ticket) is
       begin
          Robot.Requests.Begin_Session (Waiting, First);
       end Begin_Session;
-
-      procedure Put (Item : Robot.Requests.Job; Next : out Turn) is
-      begin
-         Robot.Requests.Put (Waiting, Item);
-         if Item.From = Robot.Requests.Mission then
-            Asked := Clock;
-         end if;
-         Choose (Waiting, State, Next);
-      end Put;
-
-      procedure Look
-        (From : Robot.Requests.Periodic; Due : out Time; Next : out Turn) is
-      begin
-         Due := Robot.Line_Status.Due (State, From);
-         Choose (Waiting, State, Next);
-      end Look;
 
       procedure Take
         (Who     : Task_Name;
@@ -117,6 +66,34 @@ package body Robot.Line with SPARK_Mode is
          Held := Dialogue;
       end Take;
 
+      procedure Get_Status (Current : out Robot.Line_Status.Status) is
+      begin
+         Current := State.Known;
+      end Get_Status;
+
+      procedure Get_Rights
+        (Number : Commands.Ticket; Is_Over, By_Hand : out Boolean) is
+      begin
+         Is_Over := Number < Waiting.First_Order;
+         By_Hand := Number < Waiting.Last_Hand;
+      end Get_Rights;
+
+      procedure Put (Item : Robot.Requests.Job; Next : out Turn) is
+      begin
+         Robot.Requests.Put (Waiting, Item);
+         if Item.From = Robot.Requests.Mission then
+            Asked := Clock;
+         end if;
+         Choose (Waiting, State, Next);
+      end Put;
+
+      procedure Look
+        (From : Robot.Requests.Periodic; Due : out Time; Next : out Turn) is
+      begin
+         Due := Robot.Line_Status.Due (State, From);
+         Choose (Waiting, State, Next);
+      end Look;
+
       procedure Finish
         (Done   : Robot.Requests.Job;
          Held   : Robot.Line_Status.Dialogue;
@@ -130,18 +107,6 @@ package body Robot.Line with SPARK_Mode is
          Waiting.In_Use := False;
          Choose (Waiting, State, Next);
       end Finish;
-
-      procedure Get_Status (Current : out Robot.Line_Status.Status) is
-      begin
-         Current := State.Known;
-      end Get_Status;
-
-      procedure Get_Rights
-        (Number : Commands.Ticket; Is_Over, By_Hand : out Boolean) is
-      begin
-         Is_Over := Number < Waiting.First_Order;
-         By_Hand := Number < Waiting.Last_Hand;
-      end Get_Rights;
 
    end Line;
 
@@ -162,19 +127,14 @@ package body Robot.Line with SPARK_Mode is
       end if;
    end Wake;
 
-   procedure Begin_Session (First : Commands.Ticket) is
-   begin
-      Line.Begin_Session (First);
-   end Begin_Session;
-
    procedure Put (Order : in out Commands.Order) is
       Next : Turn;
    begin
-      Order.Owed := False;
       Line.Put
         ((Robot.Requests.Source_Of (Order.Command.Name),
           Commands.Request_Of (Order.Command), Order),
          Next);
+      Order.Owed := False;
       Wake (Next);
    end Put;
 
@@ -189,9 +149,7 @@ package body Robot.Line with SPARK_Mode is
       Wake (Next);
    end Ask;
 
-   procedure Look
-     (From : Robot.Requests.Periodic; Next : out Ada.Real_Time.Time)
-   is
+   procedure Look (From : Robot.Requests.Periodic; Next : out Time) is
       Now : constant Time := Clock;
       To  : Turn;
    begin
@@ -203,23 +161,6 @@ package body Robot.Line with SPARK_Mode is
       end if;
    end Look;
 
-   procedure Take
-     (Who     : Task_Name;
-      Item    : in out Robot.Requests.Job;
-      Verdict : out Robot.Requests.Verdict_Kind;
-      Held    : out Robot.Line_Status.Dialogue;
-      Found   : out Boolean)
-   is
-   begin
-      Line.Take (Who, Item, Verdict, Held, Found);
-      Item.Order.Owed := Found
-        and then Item.Order.Number /= 0
-        and then Item.From /= Robot.Requests.Mission;
-      if Item.Order.Owed then
-         Trace.Put (Trace.Take, Who, Item.Order.Number);
-      end if;
-   end Take;
-
    procedure Finish
      (Done   : Robot.Requests.Job;
       Held   : Robot.Line_Status.Dialogue;
@@ -230,16 +171,5 @@ package body Robot.Line with SPARK_Mode is
       Line.Finish (Done, Held, Result, Next);
       Wake (Next);
    end Finish;
-
-   procedure Get_Status (Current : out Robot.Line_Status.Status) is
-   begin
-      Line.Get_Status (Current);
-   end Get_Status;
-
-   procedure Get_Rights
-     (Number : Commands.Ticket; Is_Over, By_Hand : out Boolean) is
-   begin
-      Line.Get_Rights (Number, Is_Over, By_Hand);
-   end Get_Rights;
 
 end Robot.Line;

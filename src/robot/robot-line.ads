@@ -2,7 +2,7 @@
 --  The robot's line: requests wait for it, and it is granted to one task at a
 --  time, with the dialogue with the robot.
 
-with Ada.Real_Time;
+with Ada.Real_Time; use Ada.Real_Time;
 with Commands;
 with Event;
 with Robot.Line_Status;
@@ -10,9 +10,6 @@ with Robot.Requests;
 with Schedule; use Schedule;
 
 package Robot.Line with SPARK_Mode is
-
-   use type Commands.Ticket;
-   use type Robot.Requests.Source;
 
    --  The events by which each of the tasks that use the line learns that it
    --  may take it, or is to look when it will
@@ -26,10 +23,55 @@ package Robot.Line with SPARK_Mode is
    package Mission is new Event (Th_Mission);
    package Monitor_Lost is new Event (Th_Com_Mon_Perdue);
 
-   procedure Begin_Session (First : Commands.Ticket)
-   with Annotate => (GNATprove, Terminating);
-   --  Orders with a lower number are out of date from now on. Ticket'Last, as
-   --  the process ends: all orders
+   type Turn is record
+      Given  : Boolean := False;
+      To     : Task_Name := Th_Move;
+      Number : Commands.Ticket := 0;
+   end record;
+   --  Given: the line is free, and this task is to be woken for the next
+   --  request. Number: of the monitor's order, if it is one
+
+   protected Line with Priority => Schedule.Line_Ceiling is
+
+      procedure Begin_Session (First : Commands.Ticket);
+      --  Orders with a lower number are out of date from now on. Ticket'Last,
+      --  as the process ends: all orders
+
+      procedure Take
+        (Who     : Task_Name;
+         Item    : in out Robot.Requests.Job;
+         Verdict : out Robot.Requests.Verdict_Kind;
+         Held    : out Robot.Line_Status.Dialogue;
+         Found   : out Boolean);
+      --  Found: the line is granted to Who until Finish, for Item. Otherwise
+      --  something else has come that is more urgent: Who is woken again
+
+      procedure Get_Status (Current : out Robot.Line_Status.Status);
+
+      procedure Get_Rights
+        (Number : Commands.Ticket; Is_Over, By_Hand : out Boolean);
+      --  Is_Over: the session of order Number has ended. By_Hand: an order by
+      --  hand has come after it
+
+      --  For the procedures below, which wake the task of Next
+
+      procedure Put (Item : Robot.Requests.Job; Next : out Turn);
+      procedure Look
+        (From : Robot.Requests.Periodic; Due : out Time; Next : out Turn);
+      procedure Finish
+        (Done   : Robot.Requests.Job;
+         Held   : Robot.Line_Status.Dialogue;
+         Result : Commands.Outcome;
+         Next   : out Turn);
+
+   private
+      Waiting  : Robot.Requests.Requests;
+      State    : Robot.Line_Status.State;
+      Dialogue : Robot.Line_Status.Dialogue;
+      --  while no task has the line
+      Asked    : Time := Time_First;
+      --  when the mission made its last request
+   end Line;
 
    procedure Put (Order : in out Commands.Order)
    with
@@ -50,27 +92,10 @@ package Robot.Line with SPARK_Mode is
    --  A request of From itself; Order: that has asked for the mission, if it
    --  is one
 
-   procedure Look
-     (From : Robot.Requests.Periodic; Next : out Ada.Real_Time.Time)
+   procedure Look (From : Robot.Requests.Periodic; Next : out Time)
    with Annotate => (GNATprove, Terminating);
    --  If something may start by now, its task is woken. Next: when to look
    --  again, for From
-
-   procedure Take
-     (Who     : Task_Name;
-      Item    : in out Robot.Requests.Job;
-      Verdict : out Robot.Requests.Verdict_Kind;
-      Held    : out Robot.Line_Status.Dialogue;
-      Found   : out Boolean)
-   with
-     Pre  => not Item.Order.Owed,
-     Post => Item.Order.Owed =
-       (Found
-        and then Item.Order.Number /= 0
-        and then Item.From /= Robot.Requests.Mission),
-     Annotate => (GNATprove, Terminating);
-   --  Found: the line is granted to Who until Finish, for Item. Otherwise
-   --  something else has come that is more urgent: Who is woken again
 
    procedure Finish
      (Done   : Robot.Requests.Job;
@@ -79,14 +104,5 @@ package Robot.Line with SPARK_Mode is
    with Annotate => (GNATprove, Terminating);
    --  Request Done has ended with Result, the robot's dialogue as in Held:
    --  gives the line back, for the next one
-
-   procedure Get_Status (Current : out Robot.Line_Status.Status)
-   with Annotate => (GNATprove, Terminating);
-
-   procedure Get_Rights
-     (Number : Commands.Ticket; Is_Over, By_Hand : out Boolean)
-   with Annotate => (GNATprove, Terminating);
-   --  Is_Over: the session of order Number has ended. By_Hand: an order by
-   --  hand has come after it
 
 end Robot.Line;

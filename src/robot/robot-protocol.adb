@@ -19,22 +19,6 @@ package body Robot.Protocol with SPARK_Mode is
       end loop;
    end Prove_Same_Parity;
 
-   procedure Accept_Byte
-     (R : in out Receiver; B : Byte; F : out Frame; Complete : out Boolean) is
-   begin
-      Complete := B = Terminator;
-      F := (R.Data, (if Complete and then R.Length <= Max_Frame then R.Length
-                     else 0));
-      if Complete then
-         R.Length := 0;
-      elsif R.Length < Max_Frame then
-         R.Length := R.Length + 1;
-         R.Data (R.Length) := B;
-      else
-         R.Length := Max_Frame + 1;
-      end if;
-   end Accept_Byte;
-
    procedure Encode (C : Command; F : out Frame) is
       Last : Frame_Length := 1;
    begin
@@ -64,6 +48,14 @@ package body Robot.Protocol with SPARK_Mode is
       end;
       pragma Assert (Is_Framed (F));
    end Encode;
+
+   procedure Append (F : in out Frame; B : Byte) is
+   begin
+      if F.Length <= Max_Frame then
+         F.Length := F.Length + 1;
+         F.Data (F.Length) := B;
+      end if;
+   end Append;
 
    function Text_Of (F : Frame) return Commands.Answer_Text is
    begin

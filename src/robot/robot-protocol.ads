@@ -1,6 +1,6 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  The protocol of the robot: encodes commands as frames, receives frames, and
---  decodes each as the answer to its command.
+--  The protocol of the robot: encodes commands as frames, and decodes received
+--  frames as the answers to them.
 
 with Bytes;    use Bytes; use type Bytes.Byte;
 with Commands;
@@ -62,11 +62,12 @@ package Robot.Protocol with SPARK_Mode is
 
    Terminator : constant Byte := 16#0D#;
 
-   subtype Frame_Length is Natural range 0 .. Max_Frame;
+   subtype Frame_Length is Natural range 0 .. Max_Frame + 1;
+   --  Max_Frame + 1: it is too long
 
    type Frame is record
-      Data   : Byte_Array (1 .. Max_Frame) := (others => 0);
-      Length : Frame_Length                := 0;
+      Data   : Byte_Array (1 .. Frame_Length'Last) := (others => 0);
+      Length : Frame_Length                        := 0;
    end record;
    --  The first Length bytes of Data are valid.
 
@@ -182,9 +183,20 @@ package Robot.Protocol with SPARK_Mode is
 
    --  A received frame has no terminator: its text and the checksum
 
-   function Text_Length (F : Frame) return Natural is
-     (Natural'Max (F.Length - 1, 0));
-   --  Bytes before the checksum; 0 if there is no text.
+   procedure Append (F : in out Frame; B : Byte)
+   with
+     Post => F.Length = Natural'Min (F'Old.Length + 1, Max_Frame + 1)
+       and then
+         (for all I in 1 .. F.Length =>
+            (if I <= F'Old.Length then F.Data (I) = F'Old.Data (I)
+             else F.Data (I) = B));
+   --  B has come from the line, and is not the terminator. May be NUL, since a
+   --  checksum may: the robot drops NUL bytes, but no command has such a
+   --  checksum.
+
+   function Text_Length (F : Frame) return Commands.Answer_Length is
+     (if F.Length in 1 .. Max_Frame then F.Length - 1 else 0);
+   --  Bytes before the checksum; 0 if there is no text, or it is too long.
 
    function Text_Of (F : Frame) return Commands.Answer_Text;
 
@@ -227,33 +239,5 @@ package Robot.Protocol with SPARK_Mode is
       then (Version_Text, 0)
       else (Wrong_Kind, 0));
    --  The meaning of frame F as the answer to Pending. Every frame has one.
-
-   --  Receiving
-
-   type Receiver is record
-      Data   : Byte_Array (1 .. Max_Frame)    := (others => 0);
-      Length : Natural range 0 .. Max_Frame + 1 := 0;
-   end record;
-   --  The first Length bytes of the frame that is being received. More than
-   --  Max_Frame: it is too long, and the rest is dropped.
-
-   procedure Accept_Byte
-     (R : in out Receiver; B : Byte; F : out Frame; Complete : out Boolean)
-   with
-     Post => Complete = (B = Terminator)
-       and then R.Length =
-         (if Complete then 0
-          else Natural'Min (R'Old.Length + 1, Max_Frame + 1))
-       and then F.Length =
-         (if Complete and then R'Old.Length <= Max_Frame then R'Old.Length
-          else 0)
-       and then F.Data = R'Old.Data
-       and then
-         (for all I in 1 .. Natural'Min (R.Length, Max_Frame) =>
-            R.Data (I) = (if I <= R'Old.Length then R'Old.Data (I) else B));
-   --  Takes the next byte from the line. Complete: it ended the frame, which
-   --  is F, without its terminator; empty if it was too long. NUL bytes are
-   --  kept, since a checksum may be NUL. The robot itself drops NUL bytes, but
-   --  no command has such a checksum.
 
 end Robot.Protocol;

@@ -6,6 +6,7 @@ with Ada.Real_Time;
 with Bytes;
 with Robot.Protocol;
 with Robot.Session;
+with Schedule;
 with Texts;
 
 package Robot.Serial_Line with
@@ -31,7 +32,8 @@ is
    --  Discards what has been received and not read
 
    procedure Write
-     (Item    : Robot.Protocol.Command;
+     (Who     : Schedule.Thread_Name;
+      Item    : Robot.Protocol.Command;
       Mode    : Robot.Session.Mode_Kind;
       Length  : out Robot.Protocol.Frame_Length;
       Success : out Boolean)
@@ -43,10 +45,10 @@ is
    --  Never waits: fails if the device accepts nothing or has been removed
 
    procedure Read
-     (Data    : out Bytes.Byte_Array;
-      Length  : out Natural;
+     (Data       : out Bytes.Byte_Array;
+      Length     : out Natural;
       Until_Time : Ada.Real_Time.Time;
-      Success : out Boolean)
+      Success    : out Boolean)
    with Post => Length <= Data'Length;
    --  Received data; waits for the first byte until Until_Time at most, then
    --  Length is 0. Success is false if the device has been removed
@@ -59,10 +61,6 @@ is
 
    procedure Get_Gone (Gone : out Boolean);
    --  Whether the device has been removed since it was opened
-
-   procedure Get_Use (Path : Texts.Text; Used : out Texts.Text);
-   --  What else the device is for: a console of the kernel, a login; empty if
-   --  nothing is known
 
    procedure Stop_Blindly;
    --  Writes the stop order's frame from any task: the last resort when the

@@ -8,94 +8,66 @@ package body Robot.Session with SPARK_Mode is
      (S       : State;
       P       : in out Progress;
       Phase   : Phase_Kind;
-      Command : Wire.Command;
-      Next    : out Step)
+      Command : Wire.Command)
    is
-      --  The step that exchanges Command in Phase. If the line is out of step,
-      --  a probe comes first, and before the probe a blind stop
+      --  Exchanges Command in Phase. If the line is out of step, a probe comes
+      --  first, and before the probe a blind stop
+      In_Step : constant Boolean := Robot.Health.In_Step (S.Health);
+      Is_Stop : constant Boolean := Command = Wire.Stop;
    begin
-      P.Phase  := Phase;
-      P.Wanted := Command;
-      P.In_Probe := False;
-      if Robot.Health.In_Step (S.Health) then
-         P.Stopped := P.Stopped or else Command = Wire.Stop;
-         Next := (Exchange, Command);
-      elsif Command = Wire.Stop and then not P.Blind then
-         P.Blind := True;
-         P.Stopped := True;
-         Next := (Send, Command);
-      else
-         P.In_Probe := True;
-         Next := (Synchronise, (Robot.Health.Probe (S.Health), Value => 0));
-      end if;
+      P.Phase    := Phase;
+      P.Wanted   := Command;
+      P.In_Probe := not In_Step and then (P.Blind or else not Is_Stop);
+      P.Blind    := P.Blind or else (Is_Stop and then not In_Step);
+      P.Stopped  := P.Stopped or else Is_Stop;
    end Begin_Exchange;
 
-   procedure Finish
-     (P    : in out Progress;
-      Kind : Outcome_Kind;
-      Next : out Step)
-   is
-      --  Ends the request
+   procedure Finish (P : in out Progress; Kind : Outcome_Kind) is
    begin
       P.Phase := Ended;
       P.Result.Kind := Kind;
-      Next := (Finish, Wire.Stop);
    end Finish;
 
-   procedure Act
-     (S    : State;
-      P    : in out Progress;
-      Next : out Step)
-   is
+   procedure Act (S : State; P : in out Progress) is
       --  The command of the request, after the stop if one was due
    begin
       case P.Request.Kind is
          when Open_Line =>
             P.Phase := Opening;
-            Next := (Open_Device, Wire.Stop);
          when Close_Line =>
             P.Phase := Closing;
-            Next := (Close_Device, Wire.Stop);
          when others =>
-            Begin_Exchange (S, P, Acting, Command_For (P.Request), Next);
+            Begin_Exchange (S, P, Acting, Command_For (P.Request));
       end case;
    end Act;
 
-   procedure Start_Request
-     (S    : State;
-      R    : Request;
-      P    : out Progress;
-      Next : out Step)
-   is
+   procedure Start_Request (S : State; R : Request; P : out Progress) is
    begin
       P := (Request => R, others => <>);
       if not S.Line_Open and then R.Kind not in Open_Line | Close_Line then
-         Finish (P, Not_Open, Next);
+         Finish (P, Not_Open);
       elsif (R.Kind = Open_Line and then S.Line_Open)
         or else (R.Kind = Close_Line and then not S.Line_Open)
         or else (R.Kind = Reload and then S.Mode /= Started_With_Watchdog)
         or else
           (R.Kind = Reload_By_Hand and then S.Mode = Started_With_Watchdog)
       then
-         Finish (P, Done, Next);
+         Finish (P, Done);
       elsif (R.Kind = Drive and then S.Mode = Not_Started)
         or else (R.Kind = Stop and then S.Idle)
       then
-         Finish (P, Refused, Next);
+         Finish (P, Refused);
       elsif R.Kind in Close_Line | Reset | Power_Off
         and then S.Mode /= Not_Started
       then
-         Begin_Exchange (S, P, Leaving, Wire.Stop, Next);
+         Begin_Exchange (S, P, Leaving, Wire.Stop);
       else
-         Act (S, P, Next);
+         Act (S, P);
       end if;
    end Start_Request;
 
    procedure Answered
-     (S    : in out State;
-      P    : in out Progress;
-      Last : Step_Result;
-      Next : out Step)
+     (S : in out State; P : in out Progress; Last : Step_Result)
    is
       --  The exchange of the phase has been answered
       Accepted : constant Boolean := Is_Accepted (Last);
@@ -103,20 +75,20 @@ package body Robot.Session with SPARK_Mode is
       case Exchange_Phase'(P.Phase) is
          when Clearing =>
             S.Idle := Accepted;
-            Finish (P, Done, Next);
+            Finish (P, Done);
 
          when Leaving =>
             --  a robot that refuses a stop is not running
-            Act (S, P, Next);
+            Act (S, P);
 
          when Asking_Motion =>
             if Accepted and then Last.Reply.Value /= 0 then
                P.Result.Note := Missed_Window;
-               Finish (P, Refused, Next);
+               Finish (P, Refused);
             else
                --  not moving: a stop changes nothing, and is accepted only by
                --  a running robot
-               Begin_Exchange (S, P, Testing_Run, Wire.Stop, Next);
+               Begin_Exchange (S, P, Testing_Run, Wire.Stop);
             end if;
 
          when Testing_Run =>
@@ -127,10 +99,8 @@ package body Robot.Session with SPARK_Mode is
                P.Result.Note := Missed_Window;
             end if;
             Finish
-              (P,
-               (if Accepted and then P.Request.Kind = Stop then Done
-                else Refused),
-               Next);
+              (P, (if Accepted and then P.Request.Kind = Stop then Done
+                   else Refused));
 
          when Acting =>
             if Accepted then
@@ -146,51 +116,41 @@ package body Robot.Session with SPARK_Mode is
                   when others =>
                      null;
                end case;
-               Finish (P, Done, Next);
+               Finish (P, Done);
             elsif P.Request.Kind = Reload then
-               Begin_Exchange
-                 (S, P, Asking_Motion, (Wire.Busy, 0), Next);
+               Begin_Exchange (S, P, Asking_Motion, (Wire.Busy, 0));
             elsif P.Request.Kind in Drive | Stop
               and then S.Mode /= Not_Started
             then
                --  it may have been damaged on its way
-               Begin_Exchange (S, P, Testing_Run, Wire.Stop, Next);
+               Begin_Exchange (S, P, Testing_Run, Wire.Stop);
             else
                if P.Request.Kind = Reset then
                   --  refused only if the robot is not running
                   S.Mode := Not_Started;
                end if;
-               Finish (P, Refused, Next);
+               Finish (P, Refused);
             end if;
       end case;
    end Answered;
 
-   procedure Unanswered
-     (S    : in out State;
-      P    : in out Progress;
-      Next : out Step)
-   is
+   procedure Unanswered (S : in out State; P : in out Progress) is
       --  The exchange of the phase, or the probe before it, has failed
-      Pending : constant Wire.Command_Kind :=
-        (if P.In_Probe then Robot.Health.Probe (S.Health)
-         else P.Wanted.Kind);
-      Probed  : constant Boolean := P.In_Probe;
+      Probed : constant Boolean := P.In_Probe;
    begin
-      S.Health := Robot.Health.After_Failure (S.Health, Pending);
-      P.In_Probe := False;
-      P.Result.Kind := Timed_Out;
+      S.Health := Robot.Health.After_Failure
+        (S.Health, Next_Step (S, P).Command.Kind);
       if Robot.Health.Lost (S.Health) then
          --  a last stop, in case the robot still receives
          P.Result.Note := Robot_Lost;
          P.Phase := Losing;
          P.Stopped := True;
-         Next := (Send, Wire.Stop);
       elsif P.Phase = Leaving then
          if P.Tries < Leave_Tries then
             P.Tries := P.Tries + 1;
-            Begin_Exchange (S, P, Leaving, Wire.Stop, Next);
+            Begin_Exchange (S, P, Leaving, Wire.Stop);
          else
-            Act (S, P, Next);
+            Act (S, P);
          end if;
       elsif P.Phase = Acting and then P.Request.Kind = Power_Off
         and then Probed = P.Off_Sent
@@ -200,38 +160,32 @@ package body Robot.Session with SPARK_Mode is
             S := (Line_Open => True,
                   Health    => Robot.Health.Opened,
                   others    => <>);
-            Finish (P, Done, Next);
+            Finish (P, Done);
          else
             --  it may have switched off before it had answered
             P.Off_Sent := True;
-            Begin_Exchange (S, P, Acting, Command_For (P.Request), Next);
+            Begin_Exchange (S, P, Acting, Command_For (P.Request));
          end if;
       elsif P.Phase = Clearing then
          --  the line stays open: the robot may be switched off
-         Finish (P, Done, Next);
+         Finish (P, Done);
       else
          if P.Phase in Asking_Motion | Testing_Run
            and then P.Request.Kind = Reload
          then
             P.Result.Note := Missed_Window;
          end if;
-         Finish (P, Timed_Out, Next);
+         Finish (P, Timed_Out);
       end if;
    end Unanswered;
 
    procedure Continue_Request
-     (S      : in out State;
-      P      : in out Progress;
-      Last   : Step_Result;
-      Next   : out Step)
-   is
-      Phase  : constant Phase_Kind   := P.Phase;
-      Wanted : constant Wire.Command := P.Wanted;
+     (S : in out State; P : in out Progress; Last : Step_Result) is
    begin
       if P.Request.Kind in Start | Start_Watchdog then
          S.Idle := False;
       end if;
-      case Phase is
+      case P.Phase is
          when Opening =>
             if Last.Ok then
                S := (Line_Open => True,
@@ -241,38 +195,35 @@ package body Robot.Session with SPARK_Mode is
                --  robot that receives but answers late
                P.Phase := Clearing;
                P.Wanted := (Wire.Reset, 0);
-               Next := (Send, P.Wanted);
             else
-               Finish (P, Not_Opened, Next);
+               Finish (P, Not_Opened);
             end if;
 
          when Closing =>
             S := (others => <>);
             Finish
-              (P,
-               (if P.Result.Note = Robot_Lost then Timed_Out else Done),
-               Next);
+              (P, (if P.Result.Note = Robot_Lost then Timed_Out else Done));
 
          when Losing =>
             P.Phase := Closing;
-            Next := (Close_Device, Wire.Stop);
 
          when Ended =>
-            Next := (Finish, Wire.Stop);
+            null;
 
-         when Clearing | Leaving | Acting | Asking_Motion | Testing_Run =>
+         when Exchange_Phase =>
             if not P.In_Probe and then not Robot.Health.In_Step (S.Health) then
                --  the blind stop has been sent, or the reset of a newly opened
-               --  line; now synchronise
-               Begin_Exchange (S, P, Phase, Wanted, Next);
+               --  line
+               P.In_Probe := True;
             elsif not Last.Ok then
-               Unanswered (S, P, Next);
-            elsif P.In_Probe then
-               S.Health := Robot.Health.Initial;
-               Begin_Exchange (S, P, Phase, Wanted, Next);
+               Unanswered (S, P);
             else
                S.Health := Robot.Health.Initial;
-               Answered (S, P, Last, Next);
+               if P.In_Probe then
+                  P.In_Probe := False;
+               else
+                  Answered (S, P, Last);
+               end if;
             end if;
       end case;
    end Continue_Request;

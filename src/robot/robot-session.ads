@@ -8,7 +8,6 @@ with Robot.Protocol;
 
 package Robot.Session with SPARK_Mode is
 
-   use type Commands.Answer_Text;
    use type Robot.Protocol.Command;
    use type Robot.Protocol.Command_Kind;
 
@@ -106,7 +105,7 @@ package Robot.Session with SPARK_Mode is
       Off_Sent : Boolean                     := False;
       --  Power_Off has been sent, and was not answered
       Result   : Outcome;
-      --  once the step is Finish
+      --  once it has Ended
    end record;
    --  The progress of a request
 
@@ -171,7 +170,8 @@ package Robot.Session with SPARK_Mode is
               and then not P.Blind
               and then Is_Consistent (S),
             when Losing  => S.Line_Open and then P.Stopped,
-            when Closing => S.Mode = Not_Started or else P.Stopped,
+            when Closing =>
+              S.Line_Open and then (S.Mode = Not_Started or else P.Stopped),
             when Exchange_Phase =>
               Is_Exchanging (S, P)
               and then
@@ -242,11 +242,10 @@ package Robot.Session with SPARK_Mode is
         (if Is_Sent (Next) or else Next.Kind = Close_Device then S.Line_Open)
       --  in step: await the answer; out of step: skip late answers
       and then
-        (if Next.Kind = Exchange then Robot.Health.In_Step (S.Health)
-         elsif Next.Kind = Synchronise then
-            not Robot.Health.In_Step (S.Health)
-            and then not Robot.Health.Lost (S.Health)
-            and then Next.Command.Kind = Robot.Health.Probe (S.Health))
+        (if Next.Kind in Exchange | Synchronise then
+            not Robot.Health.Lost (S.Health)
+            and then
+              (Next.Kind = Exchange) = Robot.Health.In_Step (S.Health))
       --  only a stop, and the reset of a newly opened line, are sent without
       --  awaiting an answer
       and then
@@ -255,46 +254,51 @@ package Robot.Session with SPARK_Mode is
             or else (Next.Command.Kind = Robot.Protocol.Reset
                      and then P.Request.Kind = Open_Line))
       and then (if Next.Kind = Finish then Is_Consistent (S)))
-   with
-     Ghost,
-     Pre => Is_Under_Way (S, P);
-   --  Holds for every step of every request
+   with Ghost;
 
-   procedure Start_Request
-     (S    : State;
-      R    : Request;
-      P    : out Progress;
-      Next : out Step)
+   function Next_Step (S : State; P : Progress) return Step is
+     (case P.Phase is
+         when Opening        => (Open_Device, Robot.Protocol.Stop),
+         when Closing        => (Close_Device, Robot.Protocol.Stop),
+         when Losing         => (Send, Robot.Protocol.Stop),
+         when Ended          => (Finish, Robot.Protocol.Stop),
+         when Exchange_Phase =>
+           (if P.In_Probe then
+              (Synchronise, (Robot.Health.Probe (S.Health), Value => 0))
+            elsif Robot.Health.In_Step (S.Health) then (Exchange, P.Wanted)
+            else (Send, P.Wanted)))
+   with
+     Pre  => Is_Under_Way (S, P),
+     Post => Is_Allowed (S, P, Next_Step'Result);
+   --  Of every request. A probe does what is harmless, and has an answer of a
+   --  class that is not owed (Robot.Health)
+
+   procedure Start_Request (S : State; R : Request; P : out Progress)
    with
      Pre  => Is_Consistent (S),
      Post => Is_Under_Way (S, P)
-       and then Is_Allowed (S, P, Next)
        and then P.Request = R
-       and then P.Stopped = Sends_Stop (Next)
+       and then P.Stopped = Sends_Stop (Next_Step (S, P))
        and then Steps_Left (S, P) <= Max_Steps
        and then (if R.Kind = Reload then
-                   (Next.Kind /= Finish) = (S.Mode = Started_With_Watchdog));
-   --  The first step of R
+                   (P.Phase /= Ended) = (S.Mode = Started_With_Watchdog));
+   --  Up to the first step of R
 
    procedure Continue_Request
-     (S    : in out State;
-      P    : in out Progress;
-      Last : Step_Result;
-      Next : out Step)
+     (S : in out State; P : in out Progress; Last : Step_Result)
    with
      Pre  => Is_Under_Way (S, P),
      Post => Is_Under_Way (S, P)
-       and then Is_Allowed (S, P, Next)
        and then P.Request = P'Old.Request
        and then P.Stopped =
-                  (P'Old.Stopped or else Sends_Stop (Next))
-       and then (Next.Kind = Finish
+                  (P'Old.Stopped or else Sends_Stop (Next_Step (S, P)))
+       and then (P.Phase = Ended
                  or else Steps_Left (S, P) < Steps_Left (S'Old, P'Old))
        --  started only by an acknowledged start
        and then
          (if S.Mode /= S'Old.Mode and then S.Mode /= Not_Started then
              Is_Accepted (Last)
-             and then Next.Kind = Finish
+             and then P.Phase = Ended
              and then P.Result.Kind = Done
              and then P.Request.Kind =
                (if S.Mode = Started then Start else Start_Watchdog))
@@ -304,8 +308,8 @@ package Robot.Session with SPARK_Mode is
              P'Old.Stopped)
        --  the line of a lost robot is closed
        and then
-         (if Next.Kind = Finish and then P.Result.Note = Robot_Lost
+         (if P.Phase = Ended and then P.Result.Note = Robot_Lost
           then not S.Line_Open);
-   --  The next step of the same request, after its last step gave Last
+   --  Up to the next step of the same request, after its last step gave Last
 
 end Robot.Session;

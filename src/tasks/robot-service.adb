@@ -12,6 +12,7 @@ with Robot.Line_Status;
 with Robot.Requests;
 with Robot.Serial_Line;
 with Robot.Session;
+with Trace;
 
 package body Robot.Service with SPARK_Mode is
 
@@ -78,7 +79,7 @@ package body Robot.Service with SPARK_Mode is
       Held    : Robot.Line_Status.Dialogue;
       Empty   : Boolean;
    begin
-      Robot.Line.Take (Who, Item, Verdict, Held, Found);
+      Robot.Line.Line.Take (Who, Item, Verdict, Held, Found);
       Result :=
         (Kind   =>
            (if Verdict = Robot.Requests.Late then Commands.Timed_Out
@@ -86,6 +87,8 @@ package body Robot.Service with SPARK_Mode is
          others => <>);
       if not Found then
          return;
+      elsif Item.Order.Owed then
+         Trace.Put (Trace.Take, Who, Item.Order.Number);
       end if;
       Empty := Held.Empty;
       if Verdict = Robot.Requests.Carry_Out then

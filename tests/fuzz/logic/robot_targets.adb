@@ -29,21 +29,22 @@ package body Robot_Targets is
    end Read_Frame;
 
    procedure Frames (Data : Byte_Array) is
-      R        : Receiver;
-      F        : Frame;
-      Complete : Boolean;
-      Begun    : Positive := 1;
+      F     : Frame;
+      Begun : Positive := 1;
    begin
       for I in Data'Range loop
-         Accept_Byte (R, Data (I), F, Complete);
-         if Complete then
+         if Data (I) /= Terminator then
+            Append (F, Data (I));
+         else
             if I - Begun > Max_Frame then
-               Check (F.Length = 0, "a frame that is too long is not empty");
+               Check (Decode (F, Ping).Kind = Malformed,
+                      "a frame that is too long is taken");
             else
                Check (F.Data (1 .. F.Length) = Data (Begun .. I - 1),
                       "a frame is not what came");
             end if;
             Read_Frame (F);
+            F.Length := 0;
             Begun := I + 1;
          end if;
       end loop;
@@ -83,10 +84,10 @@ package body Robot_Targets is
 
       procedure Answer is
          --  What the robot says to Next: a byte tells how many bytes arrive
-         Receiving : Receiver;
-         B         : Byte;
-         Complete  : Boolean := False;
+         B        : Byte;
+         Complete : Boolean := False;
       begin
+         F.Length := 0;
          Last := (Ok => False, others => <>);
          Take (R, B);
          case Next.Kind is
@@ -98,14 +99,15 @@ package body Robot_Targets is
                      | Character'Pos ('C')
                      | Character'Pos ('0') .. Character'Pos ('2') =>
                      --  a sound answer: text and checksum are the same
-                     Accept_Byte (Receiving, B, F, Complete);
-                     Accept_Byte (Receiving, B, F, Complete);
-                     Accept_Byte (Receiving, Terminator, F, Complete);
+                     Append (F, B);
+                     Append (F, B);
+                     Complete := True;
                   when others =>
                      for I in 1 .. B loop
                         Take (R, B);
-                        Accept_Byte (Receiving, B, F, Complete);
+                        Complete := B = Terminator;
                         exit when Complete;
+                        Append (F, B);
                      end loop;
                end case;
                if Complete then
@@ -135,12 +137,14 @@ package body Robot_Targets is
                when 1 => Asking.Left,
                when 2 => (Asking.Move, 1),
                when others => Asking.Still);
-         Robot.Session.Start_Request (S, Wanted, P, Next);
+         Robot.Session.Start_Request (S, Wanted, P);
          Steps := 0;
-         --  the unit's own postconditions, which it does not check itself
-         pragma Assert (Robot.Session.Is_Under_Way (S, P));
-         pragma Assert (Robot.Session.Is_Allowed (S, P, Next));
-         while Next.Kind /= Robot.Session.Finish loop
+         loop
+            --  the unit's own postconditions, which it does not check itself
+            pragma Assert (Robot.Session.Is_Under_Way (S, P));
+            Next := Robot.Session.Next_Step (S, P);
+            pragma Assert (Robot.Session.Is_Allowed (S, P, Next));
+            exit when Next.Kind = Robot.Session.Finish;
             Check (not Robot.Session.Sends_Movement (Next)
                    or else S.Mode /= Robot.Session.Not_Started,
                    "a movement before the start");
@@ -151,9 +155,7 @@ package body Robot_Targets is
             Steps := Steps + 1;
             Check (Steps <= Robot.Session.Max_Steps, "a request does not end");
             Answer;
-            Robot.Session.Continue_Request (S, P, Last, Next);
-            pragma Assert (Robot.Session.Is_Under_Way (S, P));
-            pragma Assert (Robot.Session.Is_Allowed (S, P, Next));
+            Robot.Session.Continue_Request (S, P, Last);
          end loop;
          Check (Robot.Session.Is_Consistent (S), "an inconsistent state");
       end loop;

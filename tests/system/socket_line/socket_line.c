@@ -46,6 +46,8 @@ int open(const char *path, int flags, ...) {
   if (connect(line, (struct sockaddr *)&address, sizeof address) != 0) {
     close(line);
     line = -1;
+  } else if (flags & O_NONBLOCK) {
+    fcntl(line, F_SETFL, O_NONBLOCK);
   }
   return line;
 }
@@ -68,17 +70,14 @@ int close(int file) {
   return NEXT(close)(file);
 }
 
-int isatty(int file) { return is_line(file) || NEXT(isatty)(file); }
-
-int tcgetattr(int file, struct termios *to) {
-  if (!is_line(file))
-    return NEXT(tcgetattr)(file, to);
-  memset(to, 0, sizeof *to);
-  return 0;
-}
-
-int tcsetattr(int file, int when, const struct termios *from) {
-  return is_line(file) ? 0 : NEXT(tcsetattr)(file, when, from);
+int ioctl(int file, unsigned long request, ...) {
+  va_list rest;
+  va_start(rest, request);
+  void *argument = va_arg(rest, void *);
+  va_end(rest);
+  return is_line(file) && request == TCSETS
+             ? 0
+             : NEXT(ioctl)(file, request, argument);
 }
 
 int tcflush(int file, int queue) {

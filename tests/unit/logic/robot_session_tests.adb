@@ -100,8 +100,10 @@ procedure Robot_Session_Tests is
 
       How   : Character;
    begin
-      Start_Request (S, (Kind, Driving), P, Next);
-      while Next.Kind /= Finish loop
+      Start_Request (S, (Kind, Driving), P);
+      loop
+         Next := Next_Step (S, P);
+         exit when Next.Kind = Finish;
          declare
             M : constant String := Mark (Next);
          begin
@@ -110,13 +112,13 @@ procedure Robot_Session_Tests is
          end;
          case Next.Kind is
             when Send | Close_Device | Finish =>
-               Continue_Request (S, P, (Ok => False, others => <>), Next);
+               Continue_Request (S, P, (Ok => False, others => <>));
             when Open_Device =>
                Get (How);
-               Continue_Request (S, P, (How = '+', others => <>), Next);
+               Continue_Request (S, P, (How = '+', others => <>));
             when Exchange | Synchronise =>
                Get (How);
-               Continue_Request (S, P, Answer (Next.Command, How), Next);
+               Continue_Request (S, P, Answer (Next.Command, How));
          end case;
       end loop;
       Assert (Made (1 .. Last) = Trace,
@@ -150,19 +152,19 @@ procedure Robot_Session_Tests is
               Kind'Image & ": " & Mode'Image & " to " & S.Mode'Image);
    end Check;
 
-   procedure Explore (H : History; S : State; P : Progress; Next : Step) is
-      --  Every answer to Next, and to all that follows: what the contracts
-      --  leave open
-      Now : History := H;
+   procedure Explore (H : History; S : State; P : Progress) is
+      --  Every answer to the next step, and to all that follows: what the
+      --  contracts leave open
+      Next : constant Step := Next_Step (S, P);
+      Now  : History := H;
 
       procedure Follow (Last : Step_Result) is
          --  Next has given Last.
          S_Now : State    := S;
          P_Now : Progress := P;
-         Then_Step : Step;
       begin
-         Continue_Request (S_Now, P_Now, Last, Then_Step);
-         Explore (Now, S_Now, P_Now, Then_Step);
+         Continue_Request (S_Now, P_Now, Last);
+         Explore (Now, S_Now, P_Now);
       end Follow;
 
    begin
@@ -252,13 +254,10 @@ procedure Robot_Session_Tests is
 
       procedure Explore_From (S : State; R : Request) is
          --  All that can come of R.
-         S_Now : State;
-         P     : Progress;
-         Next  : Step;
+         P : Progress;
       begin
-         S_Now := S;
-         Start_Request (S_Now, R, P, Next);
-         Explore ((Before => S, Request => R, others => <>), S_Now, P, Next);
+         Start_Request (S, R, P);
+         Explore ((Before => S, Request => R, others => <>), S, P);
       end Explore_From;
 
       S : State;
