@@ -3,8 +3,6 @@
 
 #include "vision_search.hpp"
 
-#include <opencv2/imgproc.hpp>
-
 namespace vision {
 
 namespace {
@@ -268,24 +266,6 @@ double Comparison::blur_left(const cv::Mat &shape, const Fit &fit) const {
 }
 
 }  // namespace
-
-Map map_of_square(const Quad &quad) {
-  const Point a = quad[1] - quad[2], b = quad[3] - quad[2];
-  const Point rest = quad[0] - quad[1] + quad[2] - quad[3];
-  const double area = cross(a, b);
-  const double g = area == 0.0 ? 0.0 : cross(rest, b) / area;
-  const double h = area == 0.0 ? 0.0 : cross(a, rest) / area;
-  const Point x = quad[1] - quad[0] + g * quad[1];
-  const Point y = quad[3] - quad[0] + h * quad[3];
-  return {x.x, y.x, quad[0].x, x.y, y.y, quad[0].y, g, h, 1};
-}
-
-Map map_of(const Quad &from, const Quad &to) {
-  const Map sources = map_of_square(from);
-  bool solved = false;
-  const Map map = map_of_square(to) * sources.inv(cv::DECOMP_LU, &solved);
-  return solved ? map : Map::zeros();
-}
 
 bool align(const cv::Mat &grey, const cv::Mat &shape, const cv::Mat &used,
            bool perspective, double worst, Fit &fit) {

@@ -4,36 +4,9 @@
 
 #include "vision_rims.hpp"
 
-#include <opencv2/imgproc.hpp>
-
 namespace vision {
 
 namespace {
-
-// Noise of a pixel: standard deviation, from the difference of each pixel and
-// the mean of its two neighbours on a line; the lower quartile is 0.32 of
-// that.
-double noise_of(const cv::Mat &grey) {
-  std::array<int, 256> tally{};
-  int count = 0;
-  const int rows = std::max(1, grey.rows / 120);
-  const int columns = std::max(1, grey.cols / 160);
-  for (int row = rows / 2; row < grey.rows; row += rows) {
-    const uchar *const line = grey.ptr<uchar>(row);
-    for (int column = 1; column < grey.cols - 1; column += columns) {
-      ++tally[std::min(
-          std::abs(2 * line[column] - line[column - 1] - line[column + 1]),
-          255)];
-      ++count;
-    }
-  }
-  int below = 0, level = 0;
-  while (level < 255 && below + tally[level] < count / 4)
-    below += tally[level++];
-  const double part =
-      tally[level] > 0 ? (count / 4.0 - below) / tally[level] : 0.0;
-  return std::max(0.3, (level - 0.5 + part) / (0.32 * std::sqrt(6.0)));
-}
 
 // Edge points in the field per pixel.
 double busyness(const std::vector<Spot> &spots, const cv::Mat &small,
@@ -67,21 +40,11 @@ bool inside(const Outline &one, const Outline &other) {
   return true;
 }
 
-// Whether ONE, which shares two corners with OTHER and does not lie in it, is
-// OTHER with a wrong line.
-bool is_variant(const Outline &one, const Outline &other) {
-  constexpr double near = 0.03;
-  int shared = 0;
-  for (int k = 0; k < 4; ++k)
-    shared += length(one.shown(k) - other.shown(k)) < near;
-  return shared >= 2 && !inside(one, other);
-}
-
 // -------------------------------------------------------- The best outline
 
 // What an outline must reach. The numbers separate the rows of tests/vision
 // with an arena from those without.
-constexpr double surely = 0.9;  // a grade that no variant can be better than
+constexpr double surely = 0.9;  // a grade that only an inner border can excel
 constexpr double least_grade = 0.48;
 constexpr double least_support = 0.5;      // in the small image
 constexpr double least_alike = 0.7, least_weakest = 0.25;
@@ -109,38 +72,19 @@ bool continues(const Images &images, const Outline &outline,
          (evidence.usual > weak ? 1 : 2);
 }
 
-// Those that lie on edges of the small image.
-Candidates settled(const Images &images, Candidates found) {
-  constexpr double reach = 4.0;  // pixels
-  Candidates kept;
-  for (Candidate &candidate : found) {
-    Evidence evidence;
-    if (!kept.empty() && kept[0].score > surely &&
-        is_variant(candidate.outline, kept[0].outline))
-      continue;
-    if (!settle(images.small, candidate.outline, reach, images.noise_small,
-                quick, evidence) ||
-        evidence.support < least_support ||
-        !is_field(candidate.outline, roughly) ||
-        continues(images, candidate.outline, evidence))
-      continue;
-    candidate.score = grade(evidence);
-    add(kept, candidate);
-  }
-  return kept;
-}
-
-// The best of them, more closely.
-Candidates resettled(const Images &images, Candidates found) {
-  constexpr std::size_t most = 3;
-  constexpr double reach = 2.5;  // pixels
+// The best of them, at most MOST, that lie on edges of the small image, moved
+// by at most REACH pixels, and can be a field by TOLERANCE.
+Candidates settled(const Images &images, Candidates found, std::size_t most,
+                   double reach, const Pace &pace, double tolerance) {
   Candidates kept;
   found.resize(std::min(found.size(), most));
   for (Candidate &candidate : found) {
     Evidence evidence;
     if (!settle(images.small, candidate.outline, reach, images.noise_small,
-                normal, evidence) ||
-        !is_field(candidate.outline, well))
+                pace, evidence) ||
+        evidence.support < least_support ||
+        !is_field(candidate.outline, tolerance) ||
+        continues(images, candidate.outline, evidence))
       continue;
     candidate.score = grade(evidence);
     add(kept, candidate);
@@ -189,17 +133,15 @@ Candidate best_of(const Images &images, const std::vector<Spot> &spots,
   for (Candidate &candidate : found) {
     Outline &outline = candidate.outline;
     Evidence evidence;
-    if ((best.score > surely && is_variant(outline, best.outline)) ||
+    if ((best.score > surely && !inside(outline, best.outline)) ||
         !settle_exactly(images, outline, evidence) ||
         !is_arena(images, spots, outline, evidence))
       continue;
     candidate.score = grade(evidence);
-    if (best.score <= 0.0 ||
-        (inside(outline, best.outline)
-             ? candidate.score > nested * best.score
-         : inside(best.outline, outline)
-             ? nested * candidate.score > best.score
-             : candidate.score > best.score))
+    const double share = inside(outline, best.outline)   ? nested
+                         : inside(best.outline, outline) ? 1.0 / nested
+                                                         : 1.0;
+    if (candidate.score > share * best.score)
       best = candidate;
   }
   return best;
@@ -209,16 +151,15 @@ Candidate best_of(const Images &images, const std::vector<Spot> &spots,
 // pointing right.
 vision_arena arena_of(const Outline &outline, const View &view) {
   const std::array<Point, 4> &corner = outline.corner;
-  int first = 0;
-  double furthest = 0.0;
-  for (int k = 0; k < 4; ++k) {
+  const auto rightward = [&](int k) {
     const Point way = corner[(k + 1) % 4] - corner[k] + corner[(k + 2) % 4] -
                       corner[(k + 3) % 4];
-    if (way.x / length(way) > furthest) {
-      furthest = way.x / length(way);
+    return way.x / length(way);
+  };
+  int first = 0;
+  for (int k = 1; k < 4; ++k)
+    if (rightward(k) > rightward(first))
       first = k;
-    }
-  }
   vision_arena arena;
   for (int k = 0; k < 4; ++k) {
     const Point place = view.pixel(outline.shown((first + k) % 4));
@@ -240,12 +181,13 @@ vision_status find_arena(Frame &here, vision_arena &arena) {
              cv::Size(cvRound(size.width / scale),
                       cvRound(size.height / scale)),
              0, 0, cv::INTER_AREA);
-  const Candidates found = find_candidates(scratch.small, spots);
-  const double noise = noise_of(scratch.grey);
-  const Images images{scratch.grey, scratch.small, scale, noise,
-                      scale > 1.0 ? noise_of(scratch.small) : noise};
-  const Candidate best = best_of(images, spots,
-                                 resettled(images, settled(images, found)));
+  double noise = 0.0;
+  const Candidates found = find_candidates(scratch.small, spots, noise);
+  const Images images{scratch.grey, scratch.small, scale, scale * noise,
+                      noise};
+  const Candidates near = settled(images, found, 8, 4.0, quick, roughly);
+  const Candidate best = best_of(
+      images, spots, settled(images, near, 3, 2.5, normal, well));
   if (best.score <= 0.0)
     return fail(VISION_NOT_FOUND, "no arena in the image");
   arena = arena_of(best.outline, View(scratch.grey));

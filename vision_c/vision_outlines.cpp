@@ -4,9 +4,7 @@
 
 #include "vision_rims.hpp"
 
-#include <cstdint>
-
-#include <opencv2/imgproc.hpp>
+#include <numeric>
 
 namespace vision {
 
@@ -19,34 +17,29 @@ constexpr std::array<double, 5> bends{0.0, -0.05, -0.11, -0.18, -0.26};
 // ------------------------------------------------------------------- Edges
 
 constexpr int gain = 128;  // of the gradient: a grey level a pixel
+constexpr double noise_gain = 26.5;  // the filter's: sqrt (70 * 10)
 
-// The lower quartile of the gradients: from a plain area, or the smoothest
-// part of a rough one, where noise causes them.
-double usual_gradient(const cv::Mat &dx, const cv::Mat &dy) {
-  std::array<int, 1024> tally{};
-  int count = 0;
-  for (int row = 1; row < dx.rows - 1; row += 2) {
-    const short *const x = dx.ptr<short>(row), *const y = dy.ptr<short>(row);
-    for (int column = 1; column < dx.cols - 1; column += 2) {
-      const float size = std::sqrt(float(x[column]) * x[column] +
-                                   float(y[column]) * y[column]);
-      ++tally[std::min(int(size) / 8, 1023)];
-      ++count;
-    }
-  }
-  int below = 0, level = 0;
-  while (level < 1023 && (below += tally[level]) < count / 4)
-    ++level;
-  return 8.0 * (level + 0.5);
+// Noise of a pixel, the standard deviation: from the lower quartile of the
+// gradients, which is 0.76 sigma of a part of them, in a plain area or the
+// smoothest part of a rough one.
+double noise_of(const cv::Mat &dx, const cv::Mat &dy) {
+  std::vector<float> sizes;
+  for (int row = 1; row < dx.rows - 1; row += 2)
+    for (int column = 1; column < dx.cols - 1; column += 2)
+      sizes.push_back(std::hypot(float(dx.at<short>(row, column)),
+                                 float(dy.at<short>(row, column))));
+  const auto quarter = sizes.begin() + sizes.size() / 4;
+  std::nth_element(sizes.begin(), quarter, sizes.end());
+  return *quarter / 0.76 / noise_gain;
 }
 
-void find_spots(const cv::Mat &small, std::vector<Spot> &spots) {
-  cv::Mat &dx = scratch.gradient, &dy = scratch.transposed;
+// The edge points of the image; returns the noise of a pixel.
+double find_spots(const cv::Mat &small, std::vector<Spot> &spots) {
+  cv::Mat &dx = scratch.gradient, &dy = scratch.gradient_down;
   cv::Sobel(small, dx, CV_16S, 1, 0, 5, 1.0, 0.0, cv::BORDER_REPLICATE);
   cv::Sobel(small, dy, CV_16S, 0, 1, 5, 1.0, 0.0, cv::BORDER_REPLICATE);
-  // The lower quartile of the length of two normal deviates is 0.76 sigma.
-  const double noise = usual_gradient(dx, dy) / 0.76;
-  const double slope = std::max(1.2 * gain, 3.5 * noise);
+  const double noise = noise_of(dx, dy);
+  const double slope = std::max(1.2 * gain, 3.5 * noise_gain * noise);
   const float least = float(slope * slope);
   const cv::Point2f middle((small.cols - 1) / 2.0f, (small.rows - 1) / 2.0f);
 
@@ -81,6 +74,7 @@ void find_spots(const cv::Mat &small, std::vector<Spot> &spots) {
            cv::Point2f(rise / strength, fall / strength), strength / gain});
     }
   }
+  return noise;
 }
 
 // ------------------------------------------------------------------- Lines
@@ -92,183 +86,137 @@ constexpr float distance_bin = 2.0f;  // pixels
 constexpr int pieces = 128;          // of a line
 constexpr float piece = 4.0f;        // pixels
 
+cv::Point2f normal_of(int angle) {
+  const double direction = (angle + 0.5) * 2.0 * CV_PI / angles;
+  return cv::Point2f(std::cos(direction), std::sin(direction));
+}
+
+// Edge points without the lens distortion, by the direction of their normals.
+using Bins = std::array<std::vector<cv::Point2f>, angles>;
+
+// Calls SEE for the points of the bins at most SPREAD beside ANGLE.
+template <typename Operation>
+void for_each_near(const Bins &bins, int angle, int spread, Operation see) {
+  for (int bin = angle - spread; bin <= angle + spread; ++bin)
+    for (const cv::Point2f &at : bins[(bin + angles) % angles])
+      see(at);
+}
+
+void straighten_spots(const std::vector<Spot> &spots, double bend, float unit,
+                      Bins &bins) {
+  const float rate = float(bend) / (unit * unit);
+  for (std::vector<cv::Point2f> &bin : bins)
+    bin.clear();
+  for (const Spot &spot : spots) {
+    const float factor = 1.0f / (1.0f + rate * spot.at.dot(spot.at));
+    const cv::Point2f along(-spot.normal.y, spot.normal.x);
+    const cv::Point2f turned =
+        along - spot.at * (2.0f * rate * factor * spot.at.dot(along));
+    const float direction = cv::fastAtan2(-turned.x, turned.y);
+    bins[int(direction * (angles / 360.0f)) % angles].push_back(spot.at *
+                                                                factor);
+  }
+}
+
 // A line that is brighter on the side of its normal.
 struct Rim {
   cv::Point2f normal;
   float distance = 0.0f;  // from the middle along the normal, pixels
   int angle = 0;          // bin
-  std::array<std::uint8_t, pieces + 1> edges;  // pieces with an edge before
+  std::array<int, pieces + 1> edges;  // pieces with an edge before
 
   cv::Point2f along() const { return {-normal.y, normal.x}; }
 
+  // The piece of a point on the line.
+  int index(const cv::Point2f &point) const {
+    const int n = cvFloor(point.dot(along()) / piece) + pieces / 2;
+    return std::min(std::max(n, 0), pieces - 1);
+  }
+
   // The share of the segment FROM .. TO, both on the line, that has edges.
   float support(const cv::Point2f &from, const cv::Point2f &to) const {
-    const auto index = [&](const cv::Point2f &point) {
-      const int n = cvRound(point.dot(along()) / piece) + pieces / 2;
-      return std::min(std::max(n, 0), pieces);
-    };
     const int first = index(from), last = index(to);
     return last > first ? float(edges[last] - edges[first]) / (last - first)
                         : 0.0f;
   }
 };
 
-struct Votes {
-  std::vector<Spot> straight, sorted;
-  std::vector<int> bin;
-  std::array<int, angles + 1> start;
-  std::array<std::array<std::uint16_t, distances>, angles> tally;
-  std::vector<Rim> rims;
-};
-
-// The edges after removal of the lens distortion, sorted by the direction of
-// their normals.
-void straighten_spots(const std::vector<Spot> &spots, double bend, float unit,
-                      Votes &votes) {
-  const float rate = float(bend) / (unit * unit);
-  votes.straight.clear();
-  votes.bin.clear();
-  std::array<int, angles + 1> &start = votes.start;
-  start.fill(0);
-  for (const Spot &spot : spots) {
-    const float factor = 1.0f / (1.0f + rate * spot.at.dot(spot.at));
-    const cv::Point2f at = spot.at * factor;
-    const cv::Point2f along(-spot.normal.y, spot.normal.x);
-    const cv::Point2f turned =
-        along - spot.at * (2.0f * rate * factor * spot.at.dot(along));
-    const cv::Point2f normal =
-        cv::Point2f(turned.y, -turned.x) / std::sqrt(turned.dot(turned));
-    votes.straight.push_back({at, normal, spot.slope});
-    const int bin =
-        int(cv::fastAtan2(normal.y, normal.x) * (angles / 360.0f)) % angles;
-    votes.bin.push_back(bin);
-    ++start[bin + 1];
-  }
-  for (int n = 0; n < angles; ++n)
-    start[n + 1] += start[n];
-  std::array<int, angles> next;
-  std::copy(start.begin(), start.end() - 1, next.begin());
-  votes.sorted.resize(votes.straight.size());
-  for (std::size_t n = 0; n < votes.straight.size(); ++n)
-    votes.sorted[next[votes.bin[n]]++] = votes.straight[n];
-}
-
-void count_votes(Votes &votes) {
-  for (auto &row : votes.tally)
-    row.fill(0);
-  for (int angle = 0; angle < angles; ++angle) {
-    const double direction = (angle + 0.5) * 2.0 * CV_PI / angles;
-    const cv::Point2f normal(std::cos(direction), std::sin(direction));
-    std::array<std::uint16_t, distances> &row = votes.tally[angle];
-    for (int near = -spread; near <= spread; ++near) {
-      const int from = (angle + near + angles) % angles;
-      for (int n = votes.start[from]; n < votes.start[from + 1]; ++n) {
-        const float place =
-            votes.sorted[n].at.dot(normal) / distance_bin + distances / 2;
-        if (place >= 0.0f && place < distances)
-          ++row[int(place)];
-      }
-    }
-  }
-}
-
-// Fits the line to the edges near it, and records where it has some.
-void fit_rim(const Votes &votes, Rim &rim) {
-  std::array<bool, pieces> filled;
-  for (int round = 0; round < 2; ++round) {
-    const float width = round == 0 ? 4.0f : 2.5f;
-    const cv::Point2f along = rim.along();
-    double w = 0, x = 0, y = 0, xx = 0, xy = 0;
-    filled.fill(false);
-    for (int near = -spread - 1; near <= spread + 1; ++near) {
-      const int from = (rim.angle + near + angles) % angles;
-      for (int n = votes.start[from]; n < votes.start[from + 1]; ++n) {
-        const cv::Point2f &at = votes.sorted[n].at;
-        const float away = at.dot(rim.normal) - rim.distance;
-        if (std::fabs(away) > width)
-          continue;
-        const float place = at.dot(along);
-        w += 1;
-        x += place;
-        y += away;
-        xx += place * place;
-        xy += place * away;
-        const int index = int(std::floor(place / piece)) + pieces / 2;
-        if (index >= 0 && index < pieces)
-          filled[index] = true;
-      }
-    }
-    if (round == 1 || w < 2)
-      break;
-    const double spread_out = xx - x * x / w;
-    if (spread_out < 1.0)
-      break;
-    const double slope = std::min(
-        std::max((xy - x * y / w) / spread_out, -0.1), 0.1);
-    const double offset = (y - slope * x) / w;
-    const cv::Point2f turned = rim.normal - along * float(slope);
-    const float size = std::sqrt(turned.dot(turned));
-    rim.normal = turned / size;
-    rim.distance = (rim.distance + float(offset)) / size;
-  }
-  rim.edges[0] = 0;
-  for (int n = 0; n < pieces; ++n)
-    rim.edges[n + 1] = std::uint8_t(rim.edges[n] + filled[n]);
-}
-
-// The votes for a line and for its neighbours, weighted 1, 2, 1.
-int height(const Votes &votes, int angle, int distance) {
-  const auto &row = votes.tally[(angle + angles) % angles];
-  return 2 * row[distance] + row[distance - 1] + row[distance + 1];
-}
-
-// Whether no line nearby has more votes; of equal ones the first is a peak.
-bool is_peak(const Votes &votes, int angle, int distance) {
-  constexpr int fewest_votes = 16;
-  const int here = height(votes, angle, distance);
-  if (votes.tally[angle][distance] < fewest_votes / 2 ||
-      here < 2 * fewest_votes)
-    return false;
-  for (int a = -2; a <= 2; ++a)
-    for (int d = -1; d <= 1; ++d) {
-      if (distance + d < 1 || distance + d >= distances - 1)
-        continue;
-      const int other = height(votes, angle + a, distance + d);
-      if (other > here || (other == here && (a < 0 || (a == 0 && d < 0))))
-        return false;
-    }
-  return true;
+// The line through the edges near the one with that normal and distance, and
+// where it has some.
+Rim fit_rim(const Bins &bins, int angle, float distance) {
+  Rim rim;
+  rim.angle = angle;
+  rim.normal = normal_of(angle);
+  rim.distance = distance;
+  std::vector<cv::Point2f> near;
+  const auto collect = [&](float width) {
+    near.clear();
+    for_each_near(bins, angle, spread + 1, [&](const cv::Point2f &at) {
+      if (std::fabs(at.dot(rim.normal) - rim.distance) <= width)
+        near.push_back(at);
+    });
+  };
+  collect(4.0f);
+  cv::Vec4f line;  // its direction, and a point
+  cv::fitLine(near, line, cv::DIST_L2, 0, 0.01, 0.01);
+  const cv::Point2f normal(-line[1], line[0]);
+  rim.normal = normal.dot(rim.normal) > 0.0f ? normal : -normal;
+  rim.distance = rim.normal.dot(cv::Point2f(line[2], line[3]));
+  collect(2.5f);
+  rim.edges.fill(0);
+  for (const cv::Point2f &at : near)
+    rim.edges[rim.index(at) + 1] = 1;
+  std::partial_sum(rim.edges.begin(), rim.edges.end(), rim.edges.begin());
+  return rim;
 }
 
 // The strongest lines of each direction.
-void find_rims(Votes &votes) {
+std::vector<Rim> find_rims(const Bins &bins) {
   constexpr int sector = 6;  // bins of a direction
   constexpr std::size_t most_in_sector = 8;
+  constexpr float fewest_votes = 8;  // of the bin, and smoothed
+  cv::Mat votes = cv::Mat::zeros(angles, distances, CV_32F), smooth, highest;
+  for (int angle = 0; angle < angles; ++angle) {
+    const cv::Point2f normal = normal_of(angle);
+    for_each_near(bins, angle, spread, [&](const cv::Point2f &at) {
+      const int bin =
+          cvFloor(at.dot(normal) / distance_bin) + distances / 2;
+      if (bin >= 0 && bin < distances)
+        ++votes.at<float>(angle, bin);
+    });
+  }
+  // A peak has the most votes among the lines nearby.
+  cv::copyMakeBorder(votes, smooth, 2, 2, 0, 0, cv::BORDER_WRAP);
+  cv::blur(smooth, smooth, cv::Size(2, 1));
+  cv::blur(smooth, smooth, cv::Size(2, 1), cv::Point(0, 0));
+  cv::dilate(smooth, highest, cv::Mat::ones(5, 3, CV_8U));
+
   struct Peak {
-    int height, angle, distance;
+    float height;
+    int angle, bin;
   };
-  votes.rims.clear();
+  std::vector<Rim> rims;
   for (int first = 0; first < angles; first += sector) {
     std::vector<Peak> peaks;
     for (int angle = first; angle < first + sector; ++angle)
-      for (int distance = 2; distance < distances - 2; ++distance)
-        if (is_peak(votes, angle, distance))
-          peaks.push_back({height(votes, angle, distance), angle, distance});
+      for (int bin = 2; bin < distances - 2; ++bin) {
+        const float height = smooth.at<float>(angle + 2, bin);
+        if (height >= fewest_votes &&
+            height >= highest.at<float>(angle + 2, bin) &&
+            votes.at<float>(angle, bin) >= fewest_votes)
+          peaks.push_back({height, angle, bin});
+      }
     std::stable_sort(peaks.begin(), peaks.end(),
                      [](const Peak &one, const Peak &other) {
                        return one.height > other.height;
                      });
     peaks.resize(std::min(peaks.size(), most_in_sector));
-    for (const Peak &here : peaks) {
-      const double direction = (here.angle + 0.5) * 2.0 * CV_PI / angles;
-      Rim rim;
-      rim.normal = cv::Point2f(std::cos(direction), std::sin(direction));
-      rim.distance = (here.distance + 0.5f - distances / 2) * distance_bin;
-      rim.angle = here.angle;
-      fit_rim(votes, rim);
-      votes.rims.push_back(rim);
-    }
+    for (const Peak &here : peaks)
+      rims.push_back(fit_rim(
+          bins, here.angle,
+          (here.bin + 0.5f - distances / 2) * distance_bin));
   }
+  return rims;
 }
 
 // ---------------------------------------------------------------- Outlines
@@ -286,81 +234,75 @@ double apart(const Outline &one, const Outline &other) {
 void find_outlines(const cv::Mat &small, const std::vector<Rim> &rims,
                    double bend, Candidates &found) {
   constexpr int quarter = angles / 4, slack = 9;  // 18 degrees
-  constexpr float least_support = 0.35f;
+  constexpr float least_support = 0.35f, least_sum = 2.3f;  // of four
   constexpr float shortest = 0.16f * small_side;  // pixels, of a side
   constexpr int most_tests = 150000;
+  const float unit = float(View(small).unit);
+  const Point limit(small.cols / 2.0 + 2.0, small.rows / 2.0 + 2.0);
+
+  // Each line's corners with the lines that can follow it.
+  struct Corner {
+    int next;
+    cv::Point2f at;
+  };
   const int count = int(rims.size());
-  const float unit = std::max(small.cols, small.rows) / 2.0f;
-  const cv::Point2f rim_of_image(small.cols / 2.0f + 2.0f,
-                                 small.rows / 2.0f + 2.0f);
-  int tests = 0;
-
-  const auto follows = [&](const Rim &one, const Rim &next) {
-    const int turn = (next.angle - one.angle + angles) % angles;
-    return std::abs(turn - quarter) <= slack;
-  };
-  const auto meet = [&](const Rim &one, const Rim &next, cv::Point2f &point) {
-    const float sine = one.normal.x * next.normal.y -
-                       one.normal.y * next.normal.x;
-    point = cv::Point2f(one.distance * next.normal.y -
-                            next.distance * one.normal.y,
-                        next.distance * one.normal.x -
-                            one.distance * next.normal.x) /
-            sine;
-    const Point shown =
-        distort(Point(point.x / unit, point.y / unit), bend) * unit;
-    return std::fabs(shown.x) < rim_of_image.x &&
-           std::fabs(shown.y) < rim_of_image.y;
-  };
-  const auto good = [&](const Rim &rim, const cv::Point2f &from,
-                        const cv::Point2f &to, float &support) {
-    ++tests;
-    if ((to - from).dot(rim.along()) < shortest)
-      return false;
-    support = rim.support(from, to);
-    return support >= least_support;
-  };
-
-  for (int t = 0; t < count; ++t) {
-    const Rim &top = rims[t];
-    if (std::abs(top.angle - 3 * quarter) > quarter / 2 + 2)
-      continue;
-    for (int r = 0; r < count; ++r) {
-      cv::Point2f second;
-      if (!follows(top, rims[r]) || !meet(top, rims[r], second))
+  std::vector<std::vector<Corner>> corners(rims.size());
+  for (int k = 0; k < count; ++k)
+    for (int next = 0; next < count; ++next) {
+      const Rim &one = rims[k], &two = rims[next];
+      if (std::abs((two.angle - one.angle + angles) % angles - quarter) >
+          slack)
         continue;
-      for (int b = 0; b < count; ++b) {
-        cv::Point2f third;
-        float right_support = 0.0f;
-        if (!follows(rims[r], rims[b]) || !meet(rims[r], rims[b], third) ||
-            !good(rims[r], second, third, right_support))
+      const cv::Point2f at = (one.distance * two.along() -
+                              two.distance * one.along()) /
+                             -one.normal.cross(two.normal);
+      const Point shown = distort(Point(at) / unit, bend) * unit;
+      if (std::fabs(shown.x) < limit.x && std::fabs(shown.y) < limit.y)
+        corners[k].push_back({next, at});
+    }
+  int tests = 0;
+  const auto support = [&](int k, const cv::Point2f &from,
+                           const cv::Point2f &to) {
+    ++tests;
+    const float share = (to - from).dot(rims[k].along()) < shortest
+                            ? 0.0f : rims[k].support(from, to);
+    return share >= least_support ? share : 0.0f;
+  };
+
+  for (int top = 0; top < count; ++top) {
+    if (std::abs(rims[top].angle - 3 * quarter) > quarter / 2 + 2)
+      continue;
+    for (const Corner &second : corners[top])
+      for (const Corner &third : corners[second.next]) {
+        const float right = support(second.next, second.at, third.at);
+        if (right == 0.0f)
           continue;
-        for (int l = 0; l < count; ++l) {
-          cv::Point2f fourth, first;
-          float bottom = 0.0f, left = 0.0f, upper = 0.0f;
-          if (!follows(rims[b], rims[l]) || !follows(rims[l], top) ||
-              !meet(rims[b], rims[l], fourth) ||
-              !good(rims[b], third, fourth, bottom) ||
-              !meet(rims[l], top, first) ||
-              !good(rims[l], fourth, first, left) ||
-              !good(top, first, second, upper))
+        for (const Corner &fourth : corners[third.next]) {
+          const float bottom = support(third.next, third.at, fourth.at);
+          if (bottom == 0.0f)
             continue;
-          if (tests > most_tests)
-            return;
-          Candidate candidate;
-          candidate.outline.bend = bend;
-          candidate.outline.corner = {
-              Point(first) / unit, Point(second) / unit, Point(third) / unit,
-              Point(fourth) / unit};
-          const double support = right_support + bottom + left + upper;
-          if (support < 2.3 || !is_field(candidate.outline, 0.16))
-            continue;
-          // For equal fits, prefer the smaller distortion.
-          candidate.score = support - 0.5 * std::fabs(bend);
-          add(found, candidate);
+          for (const Corner &first : corners[fourth.next]) {
+            if (first.next != top)
+              continue;
+            const float left = support(fourth.next, fourth.at, first.at);
+            const float upper = support(top, first.at, second.at);
+            if (tests > most_tests)
+              return;
+            const float sum = right + bottom + left + upper;
+            Candidate candidate;
+            candidate.outline = {{Point(first.at) / unit,
+                                  Point(second.at) / unit,
+                                  Point(third.at) / unit,
+                                  Point(fourth.at) / unit}, bend};
+            if (left == 0.0f || upper == 0.0f || sum < least_sum ||
+                !is_field(candidate.outline, 0.16))
+              continue;
+            // For equal fits, prefer the smaller distortion.
+            candidate.score = sum - 0.5 * std::fabs(bend);
+            add(found, candidate);
+          }
         }
       }
-    }
   }
 }
 
@@ -391,9 +333,9 @@ bool is_field(const Outline &outline, double tolerance) {
   constexpr int steps = 8;
   constexpr double greatest_tilt = 30.0;  // degrees
   const std::array<Point, 4> &c = outline.corner;
-  if (std::fabs(cross(c[1] - c[2], c[3] - c[2])) < 1e-6)
-    return false;
-  const Map map = map_of_square(c);  // of the plane to the undistorted image
+  // Of the plane to the undistorted image.
+  const Map map =
+      map_of({Point(0, 0), Point(1, 0), Point(1, 1), Point(0, 1)}, c);
   double best = 1e9;
   for (int n = 0; n < steps; ++n) {
     const double focal =
@@ -416,16 +358,15 @@ bool is_field(const Outline &outline, double tolerance) {
   return best < tolerance;
 }
 
-Candidates find_candidates(const cv::Mat &small, std::vector<Spot> &spots) {
+Candidates find_candidates(const cv::Mat &small, std::vector<Spot> &spots,
+                           double &noise) {
   constexpr double fits = 3.6;  // of a support of 4
-  static thread_local Votes votes;
+  static thread_local Bins bins;
   Candidates found;
-  find_spots(small, spots);
+  noise = find_spots(small, spots);
   for (const double bend : bends) {
-    straighten_spots(spots, bend, float(View(small).unit), votes);
-    count_votes(votes);
-    find_rims(votes);
-    find_outlines(small, votes.rims, bend, found);
+    straighten_spots(spots, bend, float(View(small).unit), bins);
+    find_outlines(small, find_rims(bins), bend, found);
     // A distortion larger than a well-fitting one only fits worse.
     if (!found.empty() && found[0].score > fits &&
         found[0].outline.bend != bend)

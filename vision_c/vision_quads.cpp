@@ -4,8 +4,6 @@
 
 #include "vision_search.hpp"
 
-#include <opencv2/imgproc.hpp>
-
 namespace vision {
 
 namespace {

@@ -47,19 +47,8 @@ void find_edges(const cv::Mat &grey, const Point &from, const Point &to,
         !in_image(grey, last - across) || !in_image(grey, last + across))
       continue;
     const Point next = along * (used / bands / lines);
-    const Point inner = first - across;
-    for (int i = 0; i <= 2 * half; i += 4) {
-      const Four place = (Four{0, 1, 2, 3} + float(i)) * float(step);
-      Four x = float(inner.x) + place * float(outward.x);
-      Four y = float(inner.y) + place * float(outward.y);
-      Four sum{};
-      for (int line = 0; line < lines; ++line) {
-        sum += sample(grey, x, y);
-        x += float(next.x);
-        y += float(next.y);
-      }
-      store(sum / float(lines), &value[i]);
-    }
+    profile(grey, first - across, outward * step, 2 * half + 1, next, lines,
+            value.data());
     int best = 1;
     for (int i = 1; i < 2 * half; ++i) {
       rise[i] = sign * (value[i + 1] - value[i - 1]);

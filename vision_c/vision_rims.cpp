@@ -94,7 +94,7 @@ void find_edges(const cv::Mat &grey, const Outline &outline, double reach,
   const double step = std::max(reach / most_steps, 0.5);
   const int half = std::min(int(std::ceil(reach / step)), most_steps);
   const int middle = half + beside;
-  std::array<float, 2 * (most_steps + beside) + 1> value, rise;
+  std::array<float, 2 * (most_steps + beside) + 4> value, rise;
 
   edges.count = 0;
   for (int side = 0; side < 4; ++side) {
@@ -124,9 +124,9 @@ void find_edges(const cv::Mat &grey, const Outline &outline, double reach,
       ++edges.seen[side];
       const Point next = place.along * (band_length / lines);
       const Point first = place.pixel - next * ((lines - 1) / 2.0);
-      for (int i = 0; i <= 2 * middle; ++i)
-        value[i] = mean_along(
-            grey, first + place.outward * ((i - middle) * step), next, lines);
+      profile(grey, first - place.outward * (middle * step),
+              place.outward * step, 2 * middle + 1, next, lines,
+              value.data());
       float most = 0.0f;
       for (int i = middle - half - 1; i <= middle + half + 1; ++i) {
         rise[i] = 0.0f;
@@ -204,41 +204,27 @@ bool move_onto(const Edges &edges, double width, double unit,
   return true;
 }
 
-// Fits VALUE, with outliers.
-Slope fit_slope(const std::vector<Point> &at,
-                const std::vector<double> &value) {
-  const int count = int(at.size());
-  Slope slope{{0.0, 0.0, 0.0}};
-  double scale = 1e6;
-  for (int round = 0; round < 4; ++round) {
-    cv::Matx33d left = cv::Matx33d::eye() * 1e-3;
-    cv::Vec3d right(0.0, 0.0, 0.0);
-    double sum = 0.0, total = 0.0;
-    for (int n = 0; n < count; ++n) {
-      const cv::Vec3d term(1.0, at[n].x, at[n].y);
-      const double rest = value[n] - slope.at(at[n]);
-      const double share = 1.0 / (1.0 + rest * rest / (scale * scale));
-      left += share * (term * term.t());
-      right += share * value[n] * term;
-      sum += share * std::fabs(rest);
-      total += share;
-    }
-    slope.factor = left.solve(right, cv::DECOMP_CHOLESKY);
-    scale = round == 0 ? 1e6 : std::max(1.0, 1.5 * sum / total);
-    if (round == 0) {
-      sum = 0.0;
-      for (int n = 0; n < count; ++n)
-        sum += std::fabs(value[n] - slope.at(at[n]));
-      scale = std::max(1.0, 1.5 * sum / count);
-    }
-  }
-  return slope;
-}
-
-double middle_of(std::vector<double> &values) {
+double median(std::vector<double> values) {
   const auto middle = values.begin() + values.size() / 2;
   std::nth_element(values.begin(), middle, values.end());
   return *middle;
+}
+
+// The planes through the levels of the edges that are IN.
+template <typename Condition>
+Light light_of(const Outline &outline, const std::vector<Edge> &edges,
+               Condition in) {
+  cv::Mat places(0, 3, CV_64F), levels(0, 2, CV_64F), planes;
+  for (const Edge &edge : edges)
+    if (in(edge)) {
+      const Point &from = outline.corner[edge.side];
+      const Point at =
+          from + edge.part * (outline.corner[(edge.side + 1) % 4] - from);
+      places.push_back(cv::Mat(cv::Matx13d(1.0, at.x, at.y)));
+      levels.push_back(cv::Mat(cv::Matx12d(edge.inside, edge.contrast)));
+    }
+  cv::solve(places, levels, planes, cv::DECOMP_SVD);
+  return planes;
 }
 
 }  // namespace
@@ -270,85 +256,69 @@ bool settle(const cv::Mat &grey, Outline &outline, double reach, double noise,
       return false;
   }
 
-  std::vector<const Edge *> kept;
-  for (int n = 0; n < edges.count; ++n)
-    if (std::fabs(edges.edge[n].rest(change)) <= 2.0 * width)
-      kept.push_back(&edges.edge[n]);
+  std::vector<Edge> kept;
+  std::copy_if(edges.edge.begin(), edges.edge.begin() + edges.count,
+               std::back_inserter(kept), [&](const Edge &edge) {
+                 return std::fabs(edge.rest(change)) <= 2.0 * width;
+               });
   if (kept.empty())
     return false;
-  const int total = int(kept.size());
-  const auto contrast = [](const Edge &edge) {
-    return edge.contrast / (edge.inside + 10.0);
-  };
   // Where the sun clips the border, its contrast would be higher: the usual
   // one is that of the rest, at least a quarter.
-  std::vector<double> value, all;
-  for (const Edge *const edge : kept) {
-    all.push_back(contrast(*edge));
-    if (!edge->clipped)
-      value.push_back(all.back());
+  const auto relative = [](const Edge &edge) {
+    return edge.contrast / (edge.inside + 10.0);
+  };
+  const int total = int(kept.size());
+  std::vector<double> clear, all, contrast;
+  for (const Edge &edge : kept) {
+    all.push_back(relative(edge));
+    contrast.push_back(edge.contrast);
+    if (!edge.clipped)
+      clear.push_back(all.back());
   }
-  const int clear = int(value.size());
-  const bool is_sunny = 4 * clear >= total && total - clear >= fewest_clipped;
-  const double usual = middle_of(is_sunny ? value : all);
-  std::array<int, 4> on{};
-  int alike = 0, seen = 0;
-  for (const Edge *const edge : kept) {
-    const double part = contrast(*edge) / usual;
-    if (part > 2.0 || (part < 0.5 && !(is_sunny && edge->clipped)))
-      continue;
-    ++on[edge->side];
-    ++alike;
+  const int sunny = total - int(clear.size());
+  const bool is_sunny = 4 * sunny <= 3 * total && sunny >= fewest_clipped;
+  const double usual = median(is_sunny ? clear : all);
+  std::array<int, 4> alike{};
+  for (const Edge &edge : kept) {
+    const double part = relative(edge) / usual;
+    alike[edge.side] +=
+        part <= 2.0 && (part >= 0.5 || (is_sunny && edge.clipped));
   }
+  int seen = 0, all_alike = 0;
   evidence.weakest = 1.0;
   for (int side = 0; side < 4; ++side) {
     seen += edges.seen[side];
+    all_alike += alike[side];
     evidence.weakest =
-        std::min(evidence.weakest, double(on[side]) / edges.seen[side]);
+        std::min(evidence.weakest, double(alike[side]) / edges.seen[side]);
   }
   evidence.support = double(total) / seen;
-  evidence.alike = double(alike) / total;
-  if (pace.slopes)
-    for (const bool sunny : {false, true}) {
-      std::vector<double> level, rise;
-      std::vector<Point> place;
-      for (const Edge *const edge : kept) {
-        if (is_sunny && edge->clipped != sunny)
-          continue;
-        level.push_back(edge->inside);
-        rise.push_back(edge->contrast);
-        place.push_back(outline.corner[edge->side] +
-                        edge->part * (outline.corner[(edge->side + 1) % 4] -
-                                      outline.corner[edge->side]));
-      }
-      evidence.light[sunny] = {fit_slope(place, level),
-                               fit_slope(place, rise)};
-    }
-  value.clear();
-  for (const Edge *const edge : kept)
-    value.push_back(edge->contrast);
-  evidence.usual = middle_of(value);
+  evidence.alike = double(all_alike) / total;
+  evidence.usual = median(contrast);
+  if (pace.light)
+    for (const bool clipped : {false, true})
+      evidence.light[clipped] = light_of(outline, kept, [&](const Edge &edge) {
+        return !is_sunny || edge.clipped == clipped;
+      });
 
   // At a corner, both sides have the same illumination.
   evidence.corners = 0;
   for (int k = 0; k < 4; ++k) {
-    std::vector<double> before, after;
-    double local = 0.0;
-    for (const Edge *const edge : kept) {
-      if (edge->side == k && edge->part < 0.35)
-        after.push_back(edge->inside);
-      else if (edge->side == (k + 3) % 4 && edge->part > 0.65)
-        before.push_back(edge->inside);
-      else
-        continue;
-      local += edge->contrast;
+    std::array<std::vector<double>, 2> inside;
+    contrast.clear();
+    for (const Edge &edge : kept) {
+      const bool after = edge.side == k;
+      if (after ? edge.part < 0.35
+                : edge.side == (k + 3) % 4 && edge.part > 0.65) {
+        inside[after].push_back(edge.inside);
+        contrast.push_back(edge.contrast);
+      }
     }
-    if (before.size() < 2 || after.size() < 2)
-      continue;
-    local /= double(before.size() + after.size());
-    if (std::fabs(middle_of(before) - middle_of(after)) <
-        0.5 * local + 2.0 * noise)
-      ++evidence.corners;
+    evidence.corners +=
+        std::min(inside[0].size(), inside[1].size()) >= 2 &&
+        std::fabs(median(inside[0]) - median(inside[1])) <
+            0.5 * median(contrast) + 2.0 * noise;
   }
   return true;
 }
@@ -365,13 +335,14 @@ void look_inside(const cv::Mat &grey, const Outline &outline,
       const double y = (row + 1.0) / (rows + 1);
       const Point u = (1 - y) * ((1 - x) * c[0] + x * c[1]) +
                       y * ((1 - x) * c[3] + x * c[2]);
+      const Point at = view.pixel(distort(u, outline.bend));
       const double value =
-          sample(grey, view.pixel(distort(u, outline.bend)));
+          sample(grey, Four{} + float(at.x), Four{} + float(at.y))[0];
       bool is_darker = false, is_alike = false;
       for (const Light &light : evidence.light) {
-        const double above = value - light.level.at(u);
-        const double limit =
-            0.5 * std::max(0.5 * evidence.usual, light.contrast.at(u));
+        const cv::Matx12d level = cv::Matx13d(1.0, u.x, u.y) * light;
+        const double above = value - level(0);
+        const double limit = 0.5 * std::max(0.5 * evidence.usual, level(1));
         is_darker = is_darker || above < limit;
         is_alike = is_alike || std::fabs(above) < limit;
       }
@@ -394,11 +365,9 @@ int ends_continued(const cv::Mat &small, const Outline &outline,
     if (!in_image(small, place.pixel - 3.0 * place.outward) ||
         !in_image(small, place.pixel + 3.0 * place.outward))
       return false;
-    const Point first = place.pixel - place.along;
-    std::array<float, 7> value;
-    for (int i = 0; i < 7; ++i)
-      value[i] = mean_along(small, first + (i - 3.0) * place.outward,
-                            place.along, 3);
+    std::array<float, 8> value;
+    profile(small, place.pixel - place.along - 3.0 * place.outward,
+            place.outward, 7, place.along, 3, value.data());
     for (int i = 0; i < 3; ++i)
       rises[i] = value[i + 3] + value[i + 4] - value[i + 1] - value[i];
     return true;

@@ -43,19 +43,9 @@ struct Outline {
   Point shown(int k) const { return distort(corner[k], bend); }
 };
 
-// A grey level that varies linearly over the field, as illumination does.
-struct Slope {
-  cv::Vec3d factor;
-
-  double at(const Point &point) const {
-    return factor[0] + factor[1] * point.x + factor[2] * point.y;
-  }
-};
-
-// Beside the border.
-struct Light {
-  Slope level, contrast;  // of the field, border to field; grey levels
-};
+// Beside the border: the level of the field and the contrast of the border,
+// grey levels that vary linearly as illumination does; factors of 1, x and y.
+using Light = cv::Matx32d;
 
 // Measurements of an image along an outline.
 struct Evidence {
@@ -88,14 +78,16 @@ using Candidates = std::vector<Candidate>;  // best first
 void add(Candidates &found, const Candidate &wanted);
 
 // Outlines by lines of the small image, each with the lens distortion that
-// suits it best; SPOTS: the image's edges.
-Candidates find_candidates(const cv::Mat &small, std::vector<Spot> &spots);
+// suits it best; SPOTS: the image's edges; NOISE: the standard deviation of a
+// pixel.
+Candidates find_candidates(const cv::Mat &small, std::vector<Spot> &spots,
+                           double &noise);
 
 // Sampling density along an outline.
 struct Pace {
   int bands;    // of a side, at most: an edge each
   int lines;    // of a band, at most: its profile is their mean
-  bool slopes;  // of the light, too
+  bool light;  // is measured, too
 };
 
 constexpr Pace quick{16, 3, false}, normal{24, 4, false},

@@ -4,8 +4,6 @@
 
 #include "vision_search.hpp"
 
-#include <opencv2/imgproc.hpp>
-
 namespace vision {
 
 thread_local Scratch scratch;
@@ -39,13 +37,6 @@ cv::Rect on_grid(const cv::Rect &box) {
   return {first, box.br()};
 }
 
-// Wider if there is room: OpenCV processes many pixels at once.
-cv::Rect in_vectors(const cv::Rect &box, const cv::Rect &whole) {
-  constexpr int many = 32;
-  const int width = (box.width + many - 1) / many * many;
-  return cv::Rect(box.x, box.y, width, box.height) & whole;
-}
-
 bool is_worth_it(const cv::Rect &box) {
   return box.width >= 16 && box.height >= 16;
 }
@@ -58,24 +49,20 @@ bool limit(const Frame &here, const vision_arena *arena, Search &search) {
   if (arena == nullptr)
     return is_worth_it(search.box);
 
-  double left = 1e9, right = -1e9, top = 1e9, bottom = -1e9;
-  for (const vision_point &corner : arena->corner) {
-    left = std::min(left, corner.x);
-    right = std::max(right, corner.x);
-    top = std::min(top, corner.y);
-    bottom = std::max(bottom, corner.y);
-  }
-  // A robot with its centre inside extends beyond the field.
-  search.bounded = true;
-  search.width = std::max(right - left, (bottom - top) * 4.0 / 3.0);
-  search.slack = 0.02 * search.width;
-  const double margin = 0.13 * search.width + 4.0;
-  search.box = on_grid(all & cv::Rect(cv::Point(cvFloor(left - margin),
-                                                cvFloor(top - margin)),
-                                      cv::Point(cvCeil(right + margin),
-                                                cvCeil(bottom + margin))));
-  for (int k = 0; k < 4; ++k)
+  std::array<cv::Point2f, 4> corner;
+  for (int k = 0; k < 4; ++k) {
     search.field[k] = Point(arena->corner[k].x, arena->corner[k].y);
+    corner[k] = search.field[k];
+  }
+  const cv::Rect field = cv::boundingRect(corner);
+  search.bounded = true;
+  search.width = std::max<double>(field.width, field.height * 4.0 / 3.0);
+  search.slack = 0.02 * search.width;
+  // A robot with its centre inside extends beyond the field.
+  const int margin = cvCeil(0.13 * search.width + 4.0);
+  search.box = on_grid(all & cv::Rect(field.tl() - cv::Point(margin, margin),
+                                      field.br() +
+                                          cv::Point(margin, margin)));
   return is_worth_it(search.box);
 }
 
@@ -85,32 +72,24 @@ bool limit(const Frame &here, const vision_arena *arena, Search &search) {
 // has entered it.
 constexpr int across = 80;   // tiles along the image's longer side
 constexpr int smallest = 8;  // side of a tile, in pixels
-constexpr int samples = 4;   // green values of a tile, per direction
+constexpr int samples = 4;   // pixels of a tile that count, per direction
 constexpr int change = 24;   // smallest change of a tile's mean, grey levels:
                              // 4 times that of a noise of 15
 
-// As the calling thread has searched it last: CV_16SC1, a tile a pixel.
+// As the calling thread has searched it last: a tile a pixel.
 thread_local cv::Mat searched;
 
-// The sum of the samples of each tile; the side of one, in pixels.
+// The mean of the samples of each tile, green; the side of one, in pixels.
 int look(const cv::Mat &image, cv::Mat &now) {
-  const int side = std::max(
-      smallest, (std::max(image.cols, image.rows) + across - 1) / across);
-  now.create(image.rows / side, image.cols / side, CV_16SC1);
-  const std::ptrdiff_t next = 3 * (side / samples);
-  const auto sum = [&](const uchar *at) {
-    return at[0] + at[next] + at[2 * next] + at[3 * next];
-  };
-  for (int row = 0; row < now.rows; ++row) {
-    std::array<const uchar *, samples> at;
-    for (int y = 0; y < samples; ++y)
-      at[y] = image.ptr<uchar>(row * side + y * (side / samples)) + 1;
-    short *const sums = now.ptr<short>(row);
-    std::ptrdiff_t place = 0;
-    for (int column = 0; column < now.cols; ++column, place += 3 * side)
-      sums[column] = short(sum(at[0] + place) + sum(at[1] + place) +
-                           sum(at[2] + place) + sum(at[3] + place));
-  }
+  const int side = std::min(
+      std::max(smallest,
+               (std::max(image.cols, image.rows) + across - 1) / across),
+      std::min(image.cols, image.rows));
+  const cv::Size tiles(image.cols / side, image.rows / side);
+  cv::resize(image(cv::Rect(cv::Point(), tiles * side)), scratch.tiles,
+             tiles * samples, 0, 0, cv::INTER_NEAREST);
+  cv::extractChannel(scratch.tiles, scratch.mask, 1);
+  cv::resize(scratch.mask, now, tiles, 0, 0, cv::INTER_AREA);
   return side;
 }
 
@@ -126,16 +105,16 @@ cv::Rect tiles_of(const cv::Rect &part, int side, const cv::Mat &tiles) {
 // Records the parts as searched.
 bool has_changed(const Frame &here, const cv::Rect &whole,
                  const std::vector<cv::Rect> &parts) {
-  const int side = look(here.image, scratch.tiles);
-  if (scratch.tiles.size() != searched.size())
+  cv::Mat now;
+  const int side = look(here.image, now);
+  if (now.size() != searched.size())
     return true;
   for (const cv::Rect &part : parts) {
-    const cv::Rect tiles = tiles_of(part, side, scratch.tiles);
-    scratch.tiles(tiles).copyTo(searched(tiles));
+    const cv::Rect tiles = tiles_of(part, side, now);
+    now(tiles).copyTo(searched(tiles));
   }
-  const cv::Rect tiles = tiles_of(whole, side, scratch.tiles);
-  return cv::norm(scratch.tiles(tiles), searched(tiles), cv::NORM_INF) >
-         change * samples * samples;
+  const cv::Rect tiles = tiles_of(whole, side, now);
+  return cv::norm(now(tiles), searched(tiles), cv::NORM_INF) > change;
 }
 
 // The calling thread's last results, and their blur.
@@ -220,7 +199,7 @@ std::vector<cv::Rect> parts_of(const Frame &here, vision_marker marker,
       bodies.push_back(body);
     const cv::Rect search = part(areas[k].reach - beside(marker, at));
     if (is_worth_it(search))
-      parts.push_back(in_vectors(on_grid(search), whole));
+      parts.push_back(on_grid(search));
   }
   if (has_changed(here, whole, bodies))
     parts.clear();

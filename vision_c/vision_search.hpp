@@ -11,6 +11,8 @@
 #include <cstring>
 #include <vector>
 
+#include <opencv2/imgproc.hpp>
+
 #include "vision_internal.hpp"
 
 namespace vision {
@@ -23,8 +25,7 @@ constexpr int levels = 4;
 
 // Temporary images of a search.
 struct Scratch {
-  cv::Mat grey, smooth, small, gradient, transposed, mask, tiles;
-  cv::Mat darker;
+  cv::Mat grey, smooth, small, gradient, gradient_down, mask, tiles, darker;
   std::array<cv::Mat, levels> level;  // the first is smooth itself
 };
 
@@ -67,12 +68,13 @@ inline Point apply(const Map &map, const Point &p) {
 
 using Quad = std::array<Point, 4>;  // clockwise as the image shows it
 
-// The map from the unit square to QUAD (Heckbert 1989).
-Map map_of_square(const Quad &quad);
-
-// The map from the corners FROM to the corners TO; affine if both are
-// parallelograms.
-Map map_of(const Quad &from, const Quad &to);
+// The map from the corners FROM to the corners TO.
+inline Map map_of(const Quad &from, const Quad &to) {
+  std::array<cv::Point2f, 4> first, second;
+  std::copy(from.begin(), from.end(), first.begin());
+  std::copy(to.begin(), to.end(), second.begin());
+  return cv::getPerspectiveTransform(first.data(), second.data());
+}
 
 // Distance of POINT inside a convex polygon, which is clockwise in the image;
 // negative outside.
@@ -84,29 +86,6 @@ inline double depth(const Point &point, const Point *corner, int count) {
                                 std::max(1e-9, length(side)));
   }
   return least;
-}
-
-// AT, limited to 0 .. LAST; NaN, from far behind the camera, becomes 0.
-inline float within(float at, float last) {
-  return at > 0.0f ? std::min(at, last) : 0.0f;
-}
-
-// Interpolates between pixels; outside the image, the nearest border pixel.
-inline float sample(const cv::Mat &grey, float x, float y) {
-  const float right = within(x, float(grey.cols - 1));
-  const float down = within(y, float(grey.rows - 1));
-  const int column = std::min(int(right), grey.cols - 2);
-  const int row = std::min(int(down), grey.rows - 2);
-  const float u = right - float(column), v = down - float(row);
-  const uchar *const above = grey.data + row * grey.step.p[0] + column;
-  const uchar *const below = above + grey.step.p[0];
-  const float upper = above[0] + u * (above[1] - above[0]);
-  const float lower = below[0] + u * (below[1] - below[0]);
-  return upper + v * (lower - upper);
-}
-
-inline double sample(const cv::Mat &grey, const Point &at) {
-  return sample(grey, float(at.x), float(at.y));
 }
 
 // Four at a time: all processors in question have such vectors.
@@ -123,25 +102,21 @@ inline void store(const Four &four, float *to) {
   std::memcpy(to, &four, sizeof four);
 }
 
-// The smaller of each pair.
-inline Four_Places least(const Four_Places &at, int last) {
-  const Four_Places most = Four_Places{} + last;
-  return at < most ? at : most;
-}
-
+// AT, limited to 0 .. LAST; NaN, from far behind the camera, becomes 0.
 inline Four within(const Four &at, float last) {
   const Four zero{}, most = zero + last;
-  const Four low = at > zero ? at : zero;  // so is what is no number
+  const Four low = at > zero ? at : zero;
   return low < most ? low : most;
 }
 
+// Interpolates between pixels; outside the image, the nearest border pixel.
 inline Four sample(const cv::Mat &grey, const Four &x, const Four &y) {
   const Four right = within(x, float(grey.cols - 1));
   const Four down = within(y, float(grey.rows - 1));
-  const Four_Places column =
-      least(__builtin_convertvector(right, Four_Places), grey.cols - 2);
-  const Four_Places row =
-      least(__builtin_convertvector(down, Four_Places), grey.rows - 2);
+  const Four_Places column = __builtin_convertvector(
+      within(right, float(grey.cols - 2)), Four_Places);
+  const Four_Places row = __builtin_convertvector(
+      within(down, float(grey.rows - 2)), Four_Places);
   const std::size_t step = grey.step.p[0];
   Four_Places a, b, c, d;
   for (int k = 0; k < 4; ++k) {
@@ -168,15 +143,23 @@ inline void move(const cv::Matx33f &map, Four &x, Four &y) {
   x = right;
 }
 
-// The mean of COUNT samples, spaced by STEP.
-inline float mean_along(const cv::Mat &grey, const Point &first,
-                        const Point &step, int count) {
-  const float x = float(first.x), y = float(first.y);
-  const float right = float(step.x), down = float(step.y);
-  float sum = 0.0f;
-  for (int k = 0; k < count; ++k)
-    sum += sample(grey, x + float(k) * right, y + float(k) * down);
-  return sum / float(count);
+// The grey level at COUNT places, spaced by ACROSS: each the mean of LINES
+// samples, spaced by ALONG. VALUE has room for a multiple of four.
+inline void profile(const cv::Mat &grey, const Point &first,
+                    const Point &across, int count, const Point &along,
+                    int lines, float *value) {
+  for (int i = 0; i < count; i += 4) {
+    const Four place = Four{0, 1, 2, 3} + float(i);
+    Four x = float(first.x) + place * float(across.x);
+    Four y = float(first.y) + place * float(across.y);
+    Four sum{};
+    for (int line = 0; line < lines; ++line) {
+      sum += sample(grey, x, y);
+      x += float(along.x);
+      y += float(along.y);
+    }
+    store(sum / float(lines), value + i);
+  }
 }
 
 inline bool in_image(const cv::Mat &grey, const Point &at) {

@@ -3,8 +3,6 @@
 
 #include "vision_search.hpp"
 
-#include <opencv2/imgproc.hpp>
-
 namespace vision {
 
 namespace {
