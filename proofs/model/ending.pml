@@ -70,7 +70,7 @@ bool Line_Open = false;
 bool Refused   = false;   /* Robot.Line: no order is carried out any more */
 
 inline Refuse_Orders () {
-   /*: Line.Line.Begin_Session in orders */
+   /*: Line.Grant.Begin_Session in orders */
    Refused = true
 }
 
@@ -221,15 +221,15 @@ end_wait:
    /*: Connection.Shut_Down in session */
    /* Wait_Session_End: as long as it takes, or, where a task has failed or
       the line hangs, until the limit */
-   /*: Session.State.Get, Line.Line.Get_Status, Vision.State.Store.Get_Idle */
+   /*: Session.State.Get, Line.Grant.Get_Status, Vision.State.Store.Get_Idle */
    if
    :: Session_Over
    :: Fault
-   :: /*: delay, Session.State.Get, Line.Line.Get_Status,
+   :: /*: delay, Session.State.Get, Line.Grant.Get_Status,
           Vision.State.Store.Get_Idle + */
       (Session_Over || Fault)
    fi;
-   /*: Line.Line.Get_Status */
+   /*: Line.Grant.Get_Status */
    if
    :: Line_Open -> Stop_Blindly ()
    :: else

@@ -432,7 +432,7 @@ inline Wake () {
    sees what happens on the line meanwhile, and what arrives meanwhile might
    have come before */
 inline Take_Up (who) {
-   /*: Line.Line.Take */
+   /*: Line.Grant.Take */
    d_step { Take_Line (who) }
    if
    :: !found -> goto not_mine
@@ -503,7 +503,7 @@ inline Give_Back (who) {
 #ifdef EVENTS_AT_ONCE
    atomic {
 #endif
-   /*: Line.Line.Finish */
+   /*: Line.Grant.Finish */
    d_step { Finish_Line (who) }
    Wake ();
    if
@@ -546,7 +546,7 @@ inline Serve_Or_Look (who, due, has_time) {
    Give_Back (who);
 not_mine:
    atomic {
-      /*: Line.Line.Look */
+      /*: Line.Grant.Look */
       d_step {
          Choose ();
          best = 0;

@@ -124,7 +124,7 @@ end_wait:
 
 /* Whether the request waits too long is free */
 inline Ask (what) {
-   /*: Line.Line.Put */
+   /*: Line.Grant.Put */
    if
    :: L.Too_Old = true
    :: L.Too_Old = false
@@ -178,7 +178,7 @@ wait:
       :: !MR.Waits -> goto wait
       :: else -> MR.Waits = false; mission = MR.Mission
       fi;
-      /*: Box.Get, Line.Line.Get_Rights */
+      /*: Box.Get, Line.Grant.Get_Rights */
       if
 #ifdef MUTANT_UNTOLD_END_IGNORED
       :: mission < L.Session -> goto refuse
@@ -190,7 +190,7 @@ wait:
    };
    /* what stands against it: the robot; or the camera, its positions, the
       arena, the points, at any time */
-   /*: Line.Line.Get_Status, State.Store.Get, State.Store.Get_Sighting */
+   /*: Line.Grant.Get_Status, State.Store.Get, State.Store.Get_Sighting */
    atomic {
       if
       :: L.Mode == Not_Started -> goto deny
@@ -212,8 +212,8 @@ wait:
    };
 look:
    /* it goes on while nobody and nothing ends it */
-   /*: Line.Line.Get_Status, State.Store.Get, State.Store.Get_Sighting,
-       Line.Line.Get_Rights */
+   /*: Line.Grant.Get_Status, State.Store.Get, State.Store.Get_Sighting,
+       Line.Grant.Get_Rights */
    atomic {
       if
       :: !ended && Overridden (mission) -> goto leave
@@ -381,7 +381,7 @@ end_receive:
 #endif
          :: atomic {
                command != Mission_Asked ->
-               /*: Line.Line.Put */
+               /*: Line.Grant.Put */
                d_step {
                   if
                   :: command == Stop_Asked ->
@@ -477,7 +477,7 @@ end_stays:
          od;
          k = 0
       }
-      /*: Line.Line.Begin_Session */
+      /*: Line.Grant.Begin_Session */
       d_step {
          L.Session = First;
          do :: Stops ? _ :: len (Stops) == 0 -> break od;
@@ -487,7 +487,7 @@ end_stays:
          L.Last_Hand = 0;
          L.Last_Change = 0
       }
-      /*: Line.Line.Put */
+      /*: Line.Grant.Put */
       d_step { L.Ends = true; Choose (); best = 0 }
       Wake ();
 turn: atomic {

@@ -122,7 +122,7 @@ active proctype Th_Receive_From_Mon ()
 #ifdef MUTANT_EVENT_BEFORE_PUT
          Set_Event (Robot_Line [Robot_Line_Move]);
 #endif
-         /*: Line.Line.Put */
+         /*: Line.Grant.Put */
          d_step {
             if
             :: kind == Stop -> Stops ! number; L.Last_Stop = number
@@ -206,7 +206,7 @@ active proctype Th_Com_Mon_Perdue ()
          k = 0
       }
 #ifndef MUTANT_SESSION_NOT_BEGUN
-      /*: Line.Line.Begin_Session */
+      /*: Line.Grant.Begin_Session */
       d_step {
          L.Session = First;
          do :: Stops ? _ :: len (Stops) == 0 -> break od;
@@ -217,7 +217,7 @@ active proctype Th_Com_Mon_Perdue ()
       }
 #endif
 #ifndef MUTANT_NO_SAFE_STATE
-      /*: Line.Line.Put */
+      /*: Line.Grant.Put */
       d_step { L.Ends = true; Choose (); best = 0 }
       Wake ();
 turn: atomic {

@@ -60,7 +60,7 @@ active proctype Th_Receive_From_Mon ()
    byte to = NOBODY;
 end_receive:
    do
-   :: /*: Line.Line.Put */
+   :: /*: Line.Grant.Put */
       atomic {
          if
          :: len (Others) == 0 -> Others ! 1, Start_Watchdog

@@ -208,7 +208,7 @@ active proctype Th_Com_Mon_Perdue ()
       Monitor_Outbox_Open = false;
       /*: Set_Event (Outbox.Room) in outbox,
           Set_Event (Outbox.Arena_Room) in vision,
-          Line.Line.Begin_Session in orders, Robot.Line.Ask in orders */
+          Line.Grant.Begin_Session in orders, Robot.Line.Ask in orders */
       /*: Wait_Event (Robot_Line [Robot_Line_Monitor_Lost]) in orders,
           Robot.Service.Serve in orders + */
       /*: Vision.State.Store.Begin_Session in vision,

@@ -156,7 +156,7 @@ package body Supervisor with SPARK_Mode is
       Journal.Put (Options.Info, Texts.Image (Report));
 
       Support_Tasks.Stop_Failed.Wait;
-      Robot.Line.Line.Begin_Session (Commands.Ticket'Last);
+      Robot.Line.Grant.Begin_Session (Commands.Ticket'Last);
       --  meanwhile its last lines are written
       Now := Clock;
       delay until Now + Schedule.Console_Limit;

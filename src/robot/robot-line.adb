@@ -42,7 +42,7 @@ package body Robot.Line with SPARK_Mode is
       end if;
    end Choose;
 
-   protected body Line is
+   protected body Grant is
 
       procedure Begin_Session (First : Commands.Ticket) is
       begin
@@ -108,7 +108,7 @@ package body Robot.Line with SPARK_Mode is
          Choose (Waiting, State, Next);
       end Finish;
 
-   end Line;
+   end Grant;
 
    procedure Wake (Next : Turn) is
    begin
@@ -130,7 +130,7 @@ package body Robot.Line with SPARK_Mode is
    procedure Put (Order : in out Commands.Order) is
       Next : Turn;
    begin
-      Line.Put
+      Grant.Put
         ((Robot.Requests.Source_Of (Order.Command.Name),
           Commands.Request_Of (Order.Command), Order),
          Next);
@@ -145,7 +145,7 @@ package body Robot.Line with SPARK_Mode is
    is
       Next : Turn;
    begin
-      Line.Put ((From, Request, Order), Next);
+      Grant.Put ((From, Request, Order), Next);
       Wake (Next);
    end Ask;
 
@@ -153,7 +153,7 @@ package body Robot.Line with SPARK_Mode is
       Now : constant Time := Clock;
       To  : Turn;
    begin
-      Line.Look (From, Next, To);
+      Grant.Look (From, Next, To);
       Wake (To);
       if Next <= Now then
          --  it waits for the line
@@ -168,7 +168,7 @@ package body Robot.Line with SPARK_Mode is
    is
       Next : Turn;
    begin
-      Line.Finish (Done, Held, Result, Next);
+      Grant.Finish (Done, Held, Result, Next);
       Wake (Next);
    end Finish;
 

@@ -31,7 +31,7 @@ package Robot.Line with SPARK_Mode is
    --  Given: the line is free, and this task is to be woken for the next
    --  request. Number: of the monitor's order, if it is one
 
-   protected Line with Priority => Schedule.Line_Ceiling is
+   protected Grant with Priority => Schedule.Line_Ceiling is
 
       procedure Begin_Session (First : Commands.Ticket);
       --  Orders with a lower number are out of date from now on. Ticket'Last,
@@ -71,7 +71,7 @@ package Robot.Line with SPARK_Mode is
       --  while no task has the line
       Asked    : Time := Time_First;
       --  when the mission made its last request
-   end Line;
+   end Grant;
 
    procedure Put (Order : in out Commands.Order)
    with

@@ -39,7 +39,7 @@ package body Mission_Tasks with SPARK_Mode is
 
    procedure Get_Ground (G : out Missions.Grounds.Ground) is
    begin
-      Robot.Line.Line.Get_Status (G.Line);
+      Robot.Line.Grant.Get_Status (G.Line);
       Vision.State.Store.Get (G.View);
       Vision.State.Store.Get_Sighting (G.Seen);
       G.Now := Clock;
@@ -84,7 +84,7 @@ package body Mission_Tasks with SPARK_Mode is
          pragma Loop_Invariant
            (not M.Order.Owed and then Missions.Arenas.Is_Usable (M.Map));
          Get_Ground (Ground);
-         Robot.Line.Line.Get_Rights (M.Order.Number, Is_Over, By_Hand);
+         Robot.Line.Grant.Get_Rights (M.Order.Number, Is_Over, By_Hand);
          Why := Missions.Grounds.Ended_By (M.Begun, Ground, Is_Over, By_Hand);
          if Why /= Completed then
             End_By (M.Run, Why);
@@ -134,7 +134,7 @@ package body Mission_Tasks with SPARK_Mode is
       Why      : Refusal;
    begin
       Monitor.Outbox.Get (Outbox);
-      Robot.Line.Line.Get_Rights (M.Order.Number, Is_Over, Ignored);
+      Robot.Line.Grant.Get_Rights (M.Order.Number, Is_Over, Ignored);
       if Outbox.End_Waits or else Is_Over or else Wanted.Count = 0 then
          --  a later session is not told why
          Missions.Requests.Place.Release;

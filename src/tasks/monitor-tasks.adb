@@ -324,7 +324,7 @@ package body Monitor.Tasks with SPARK_Mode is
       --  the robot first: from here on no order of this session counts
       Monitor.Sockets.Connection.Shut_Down;
       Monitor.Outbox.Close_Session (Next);
-      Robot.Line.Line.Begin_Session (Next);
+      Robot.Line.Grant.Begin_Session (Next);
       Robot.Line.Ask
         (Robot.Requests.Safe_State,
          (Kind => Commands.Close_Line, others => <>), (others => <>));

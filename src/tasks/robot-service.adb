@@ -79,7 +79,7 @@ package body Robot.Service with SPARK_Mode is
       Held    : Robot.Line_Status.Dialogue;
       Empty   : Boolean;
    begin
-      Robot.Line.Line.Take (Who, Item, Verdict, Held, Found);
+      Robot.Line.Grant.Take (Who, Item, Verdict, Held, Found);
       Result :=
         (Kind   =>
            (if Verdict = Robot.Requests.Late then Commands.Timed_Out

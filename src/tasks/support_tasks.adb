@@ -48,7 +48,7 @@ package body Support_Tasks with SPARK_Mode is
    begin
       loop
          Monitor.Session.State.Get (Known);
-         Robot.Line.Line.Get_Status (Status);
+         Robot.Line.Grant.Get_Status (Status);
          Vision.State.Store.Get_Idle (Idle);
          exit when Known.Stage = Monitor.Session.Free
            and then not Status.Open and then Idle;
@@ -108,7 +108,7 @@ package body Support_Tasks with SPARK_Mode is
          Process.Signals.Wait (Kind);
          if Kind = Process.Signals.Failure then
             --  whichever task has failed, the robot stops now, for good
-            Robot.Line.Line.Begin_Session (Commands.Ticket'Last);
+            Robot.Line.Grant.Begin_Session (Commands.Ticket'Last);
             Robot.Serial_Line.Stop_Blindly;
          end if;
          Journal.Put (Options.Info, "stopping");
@@ -118,7 +118,7 @@ package body Support_Tasks with SPARK_Mode is
          Wait_Session_End
            (Now + (if Kind = Process.Signals.Failure
                    then Schedule.Failure_Limit else Schedule.Stop_Limit));
-         Robot.Line.Line.Get_Status (Status);
+         Robot.Line.Grant.Get_Status (Status);
          if Status.Open then
             Robot.Serial_Line.Stop_Blindly;
             Robot.Serial_Line.Close (Ignored);

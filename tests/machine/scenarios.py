@@ -436,6 +436,8 @@ def read_only(machine: Machine) -> None:
     finally:
         browser.kill()
         browser.wait()
+        #  else the next scenarios would have that disk, too
+        machine.power_cut()
     machine.power_on()
     machine.expect("systemctl -q is-active destijl destijl-web")
     machine.run("ls /var/lib/private/destijl-web/*/images.mjpeg")

@@ -169,7 +169,7 @@ begin
             Stop;
          end if;
          Start;
-         Robot.Line.Line.Take (Schedule.Th_Move, Job, Verdict, Held, Found);
+         Robot.Line.Grant.Take (Schedule.Th_Move, Job, Verdict, Held, Found);
          if Measured = Take then
             Stop;
          end if;
@@ -191,7 +191,7 @@ begin
 
    for I in Sample_Index loop
       Start;
-      Robot.Line.Line.Get_Status (Status);
+      Robot.Line.Grant.Get_Status (Status);
       Stop;
    end loop;
    Report ("Robot.Line.Get_Status");

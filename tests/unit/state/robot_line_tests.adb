@@ -23,7 +23,7 @@ procedure Robot_Line_Tests is
       Ignored : Robot.Line_Status.Dialogue;
    begin
       for Who in Schedule.Task_Name loop
-         Robot.Line.Line.Take (Who, Item, Verdict, Ignored, Found);
+         Robot.Line.Grant.Take (Who, Item, Verdict, Ignored, Found);
          exit when Found;
       end loop;
    end Take;
@@ -90,7 +90,7 @@ procedure Robot_Line_Tests is
       begin
          if Kind = "session" then
             Mode := Robot.Session.Not_Started;
-            Robot.Line.Line.Begin_Session (Ticket'Value (Last));
+            Robot.Line.Grant.Begin_Session (Ticket'Value (Last));
             Ask_For_Safe_State;
             Check (Script, Safe_State);
          elsif Kind = "safe" then
@@ -156,7 +156,7 @@ procedure Robot_Line_Tests is
       Play ("mission:Get_Moving:600 >Mission:Overtaken mission:Stop:600 "
             & ">Mission:Overtaken mission:Drive:602 >Mission "
             & "mission:Stop:602");
-      Robot.Line.Line.Begin_Session (603);
+      Robot.Line.Grant.Begin_Session (603);
       Play (">Mission:Out_Of_Date");
    end Test_Hand;
 
@@ -189,7 +189,7 @@ procedure Robot_Line_Tests is
          --  Of the mission of order 901.
          Is_Over, By_Hand : Boolean;
       begin
-         Robot.Line.Line.Get_Rights (901, Is_Over, By_Hand);
+         Robot.Line.Grant.Get_Rights (901, Is_Over, By_Hand);
          Assert (Is_Over = Over, "over: " & Is_Over'Image);
          Assert (By_Hand = Hand, "by hand: " & By_Hand'Image);
       end Check_Rights;
