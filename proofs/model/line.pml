@@ -32,7 +32,7 @@ mtype:reply   = { Accepted, Denied, Silence };
 mtype:due     = { Far, Near, Past };
 
 /* The requests, and the known state of the robot */
-typedef Robot_Line_Line_Type {
+typedef Robot_Line_Grant_Type {
    byte Has = NOBODY;            /* the task that has the line */
    bool Ends;                    /* the request of the session's end */
    bool After_Stop;              /* the last one was a monitor's stop */
@@ -67,8 +67,8 @@ typedef Robot_Line_Line_Type {
    mtype:verdict Verdict = Carry_Out;
    mtype:outcome Result = Done
 };
-PROTECTED (Robot_Line_Line);
-#define L  Robot_Line_Line
+PROTECTED (Robot_Line_Grant);
+#define L  Robot_Line_Grant
 
 /* The monitor's orders */
 chan Stops  = [STOPS] of { byte };
