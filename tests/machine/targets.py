@@ -341,7 +341,23 @@ class Machine(Board):
         self.wire, self.usb = Robot(place, "wire"), Robot(place, "usb")
         self.robot = self.wire
 
-    def power_on(self) -> None:
+    def power_on(self, again: bool = True) -> None:
+        """Once more if Linux panics before it has started anything of ours, as it
+        does now and then on emulated processors."""
+        written = self.place / "console.log"
+        before = len(written.read_bytes()) if written.exists() else 0
+        self.start_qemu()
+        try:
+            self.reached()
+        except Wrong:
+            said = written.read_bytes()[before:].decode(errors="replace")
+            if not again or "Kernel panic" not in said or "destijl" in said:
+                raise
+            print(f"panicked as it started, tried again: {said[-3000:]}", flush=True)
+            self.power_cut()
+            self.power_on(again=False)
+
+    def start_qemu(self) -> None:
         qmp = self.place / "qmp"
         qmp.unlink(missing_ok=True)
         self.control = socket.socket(socket.AF_UNIX)
@@ -388,7 +404,6 @@ class Machine(Board):
             time.sleep(0.05)
         self.control.connect(str(qmp))
         self.qmp("qmp_capabilities")
-        self.reached()
 
     def recover(self) -> None:
         if self.alive():
