@@ -2,6 +2,7 @@
 --  The run of a program of unit tests.
 
 with Ada.Command_Line;      use Ada.Command_Line;
+with Ada.Strings.Fixed;     use Ada.Strings.Fixed;
 with Ada.Strings.Unbounded; use Ada.Strings.Unbounded;
 with Ada.Text_IO;
 with Ada_Containers;        use type Ada_Containers.Count_Type;
@@ -73,6 +74,23 @@ package body Unit_Runs is
       Result.Append (Table (First .. Table'Last));
       return Result;
    end Split;
+
+   procedure Run_Scripts
+     (Play : not null access procedure (Script : String); Table : String) is
+   begin
+      for Row of Split (Table) loop
+         declare
+            Colon : constant Positive := Index (Row, ": ");
+
+            procedure Play_Row is
+            begin
+               Play (Row (Colon + 2 .. Row'Last));
+            end Play_Row;
+         begin
+            Run_Test (Row (Row'First .. Colon - 1), Play_Row'Access);
+         end;
+      end loop;
+   end Run_Scripts;
 
    procedure Finish is
       Reporter : AUnit.Reporter.Text.Text_Reporter;

@@ -29,6 +29,11 @@ package Unit_Runs is
      (Table : String; Bar : Character := '|') return Line_Vectors.Vector;
    --  What is between its bars
 
+   procedure Run_Scripts
+     (Play : not null access procedure (Script : String); Table : String);
+   --  Runs a test of the group for each row of Table, which is its title, a
+   --  colon, a blank and its script
+
    procedure Finish;
    --  Reports the tests. Exit status 0 only if tests ran, all succeeded, and
    --  each argument was the name of a group.

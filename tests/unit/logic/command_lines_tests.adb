@@ -1,7 +1,8 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
 --  The command line: every option, its limits, and what is refused.
 
-with Ada.Strings.Fixed;
+with Ada.Characters.Handling; use Ada.Characters.Handling;
+with Ada.Strings.Fixed;       use Ada.Strings.Fixed;
 
 with Command_Lines;    use Command_Lines;
 with Missions;
@@ -11,91 +12,43 @@ with Unit_Runs; use Unit_Runs;
 
 procedure Command_Lines_Tests is
 
-   use type Texts.Text;
-
    use type Missions.Arena_Size;
 
-   type Words is array (Positive range <>) of Texts.Text;
+   Eight_Networks : constant String :=
+     "--allow 10.0.0.1 --allow 10.0.0.2 --allow 10.0.0.3 --allow 10.0.0.4"
+     & " --allow 10.0.0.5 --allow 10.0.0.6 --allow 10.0.0.7 --allow=10.0.0.8";
 
-   function To_Text (Value : String) return Texts.Text renames Texts.To_Text;
+   No_Network : constant String :=
+     " is no IPv4 network, such as 192.168.1.0/24, with no bit set after its"
+     & " length";
 
    function Read (Line : String) return Reading is
       --  The arguments are separated by single spaces
-      Result : Reading;
-      First  : Positive := Line'First;
-      Last   : Natural;
    begin
-      while First <= Line'Last loop
-         Last := Ada.Strings.Fixed.Index (Line, " ", First);
-         if Last = 0 then
-            Last := Line'Last + 1;
+      return Result : Reading do
+         if Line /= "" then
+            for Word of Split (Line, ' ') loop
+               Take (Result, Head (Word, Word'Length));
+            end loop;
          end if;
-         Take (Result, Ada.Strings.Fixed.Head
-                         (Line (First .. Last - 1), Last - First));
-         First := Last + 1;
-      end loop;
-      Finish (Result);
-      return Result;
+         Finish (Result);
+      end return;
    end Read;
 
-   procedure Expect_Wrong (Line : String; Reason : String) is
-      --  Reason is what stands on standard error
-      R : constant Reading := Read (Line);
-   begin
-      Assert (R.Request = Wrong, "taken: " & Line);
-      Assert (Texts.Image (R.Reason) = Reason,
-              Line & ": " & Texts.Image (R.Reason));
-   end Expect_Wrong;
-
-   procedure Expect_Limits
-     (Option, Value, Limits : String; Of_It : String := "") is
-      --  Value, or the part Of_It, is no number within them
-   begin
-      Expect_Wrong (Option & " " & Value,
-                    Option & ": '" & (if Of_It = "" then Value else Of_It)
-                    & "' is not a number in " & Limits);
-   end Expect_Limits;
-
-   procedure Expect_No_Network (Value : String) is
-   begin
-      Expect_Wrong
-        ("--allow=" & Value,
-         "--allow: '" & Value & "' is no IPv4 network, such as 192.168.1.0/24,"
-         & " with no bit set after its length");
-   end Expect_No_Network;
+   function Chosen (Line : String) return Values is (Read (Line).Chosen);
 
    procedure Test_Defaults is
       Plain : Reading;
    begin
       Texts.Set (Plain.Chosen.Bind, "127.0.0.1");
       Assert (Read ("") = Plain, "not the defaults");
-      for Line of Words'
-        (To_Text ("--token /a"), To_Text ("--allow 10.0.0.0/8"))
-      loop
-         Assert
-           (Texts.Image (Read (Texts.Image (Line)).Chosen.Bind) = "0.0.0.0",
-            "listens for this machine: " & Texts.Image (Line));
-         Assert
-           (Texts.Image
-              (Read (Texts.Image (Line) & " --bind ::1").Chosen.Bind) = "::1",
-            "not the address that was given");
+      for Line of Split ("--token /a|--allow 10.0.0.0/8") loop
+         Assert (Texts.Image (Chosen (Line).Bind) = "0.0.0.0",
+                 "listens for this machine: " & Line);
+         Assert (Texts.Image (Chosen (Line & " --bind ::1").Bind) = "::1",
+                 "not the address that was given");
       end loop;
    end Test_Defaults;
-
-   procedure Test_Equals is
-   begin
-      Assert (Read ("--port=0").Chosen.Port = 0, "port");
-      Assert (Texts.Image (Read ("--camera=http://h/?a=b").Chosen.Camera)
-              = "http://h/?a=b",
-              "only the first sign separates");
-      Assert (Texts.Image (Read ("--serial=--odd").Chosen.Serial) = "--odd",
-              "a value that looks like a name");
-      Expect_Wrong ("--port=", "--port: '' is not a number in 0 .. 65535");
-      Expect_Wrong ("--check=1", "option '--check' takes no value");
-      Expect_Wrong ("--=1", "unknown option '--'");
-      Expect_Wrong ("--marker-size 80",
-                    "--marker-size: nothing to print without --print-markers");
-   end Test_Equals;
 
    procedure Test_Every_Option is
       R : constant Reading := Read
@@ -138,47 +91,30 @@ procedure Command_Lines_Tests is
             Trace_File  => Texts.To_Text ("/tmp/trace.json")),
          "not what was chosen");
       for L in Level loop
-         Assert (Read ("--log-level "
-                       & (case L is
-                             when Error => "error", when Warning => "warning",
-                             when Info  => "info",  when Debug   => "debug"))
-                   .Chosen.Log_Level = L,
+         Assert (Chosen ("--log-level " & To_Lower (L'Image)).Log_Level = L,
                  "level" & L'Image);
       end loop;
-      Assert (Read ("--cpu auto").Chosen.Cpu = Last_Processor, "auto");
-      Assert (Read ("").Chosen.Cpu = No_Processor, "no processor");
-      Assert
-        (Read ("--cpu auto --cpu 0").Chosen.Cpu = 0, "the last one counts");
-      Assert (Read ("--marker aruco").Chosen.Marker = Aruco, "aruco");
-      Assert (Read ("--draw all").Chosen.Drawing = All_Of_It, "all");
-      Assert (Read ("--draw arena").Chosen.Drawing = Options.Arena, "arena");
-   end Test_Every_Option;
-
-   procedure Test_Limits is
-   begin
-      Assert (Read ("--port 65535").Chosen.Port = 65_535, "highest port");
-      Assert (Read ("--port 0000000080").Chosen.Port = 80, "zeros in front");
-      Expect_Limits ("--port", "1000000080", "0 .. 65535");
-      Expect_Limits ("--port", "65536", "0 .. 65535");
-      Expect_Limits ("--port", "-1", "0 .. 65535");
-      Expect_Limits ("--fps", "0", "1 .. 100");
-      Assert (Read ("--frame-size 16x4096").Chosen.Height = 4_096, "height");
-      Expect_Limits ("--frame-size", "15x20", "16 .. 4096", Of_It => "15");
-      Expect_Limits ("--frame-size", "16x4097", "16 .. 4096", Of_It => "4097");
-      Expect_Wrong
-        ("--frame-size 1024", "--frame-size: '1024' is not WIDTHxHEIGHT");
-      Expect_Wrong
-        ("--frame-size x", "--frame-size: '' is not a number in 16 .. 4096");
-      Assert (Read ("").Chosen.Arena_Size = (80, 60), "the arena's default");
-      Assert (Read ("--arena-size 30x1000").Chosen.Arena_Size = (30, 1_000),
+      Assert (Chosen ("--cpu auto").Cpu = Last_Processor, "auto");
+      Assert (Chosen ("").Cpu = No_Processor, "no processor");
+      Assert (Chosen ("--cpu auto --cpu 0").Cpu = 0, "the last one counts");
+      Assert (Chosen ("--marker aruco").Marker = Aruco, "aruco");
+      Assert (Chosen ("--draw all").Drawing = All_Of_It, "all");
+      Assert (Chosen ("--draw arena").Drawing = Options.Arena, "arena");
+      Assert (Chosen ("--port 65535").Port = 65_535, "highest port");
+      Assert (Chosen ("--port 0000000080").Port = 80, "zeros in front");
+      Assert (Chosen ("--port=0").Port = 0, "least port");
+      Assert (Texts.Image (Chosen ("--camera=http://h/?a=b").Camera)
+              = "http://h/?a=b", "only the first sign separates");
+      Assert (Texts.Image (Chosen ("--serial=--odd").Serial) = "--odd",
+              "a value that looks like a name");
+      Assert (Chosen ("--frame-size 16x4096").Height = 4_096, "height");
+      Assert (Chosen ("").Arena_Size = (80, 60), "the arena's default");
+      Assert (Chosen ("--arena-size 30x1000").Arena_Size = (30, 1_000),
               "the arena's limits");
-      Expect_Limits ("--arena-size", "29x60", "30 .. 1000", Of_It => "29");
-      Expect_Limits ("--arena-size", "80x1001", "30 .. 1000", Of_It => "1001");
-      Expect_Wrong
-        ("--arena-size 80", "--arena-size: '80' is not WIDTHxHEIGHT");
-      Expect_Limits ("--cpu", "1024", "0 .. 1023");
-      Expect_Limits ("--cpu", "Auto", "0 .. 1023");
-   end Test_Limits;
+      Assert (Read (Eight_Networks).Request = Run
+              and then Chosen (Eight_Networks).Allowed.Count = 8,
+              "eight networks");
+   end Test_Every_Option;
 
    procedure Test_Long is
       R : Reading;
@@ -195,67 +131,88 @@ procedure Command_Lines_Tests is
       Assert (R.Request = Wrong, "a name as long as can be");
    end Test_Long;
 
-   procedure Test_Networks is
-      Eight : constant String :=
-        "--allow 10.0.0.1 --allow 10.0.0.2 --allow 10.0.0.3"
-        & " --allow 10.0.0.4 --allow 10.0.0.5 --allow 10.0.0.6"
-        & " --allow 10.0.0.7 --allow=10.0.0.8";
-   begin
-      Assert (Read (Eight).Request = Run, "eight of them");
-      Assert (Read (Eight).Chosen.Allowed.Count = 8, "their count");
-      Expect_Wrong
-        (Eight & " --allow 10.0.0.9", "--allow: more than 8 networks");
-      Expect_No_Network ("10.0.0.1/8");
-      Expect_No_Network ("10.0.0.0/33");
-      Expect_No_Network ("::1");
-      Expect_No_Network ("");
-   end Test_Networks;
-
    procedure Test_Requests is
    begin
-      Assert (Read ("--help").Request = Show_Help, "--help");
-      Assert (Read ("-h").Request = Show_Help, "-h");
-      Assert (Read ("--version").Request = Show_Version, "--version");
-      Assert (Read ("--check --port 7").Request = Check, "--check");
-      Assert (Read ("--check --port 7").Chosen.Port = 7, "its port");
-      Assert (Read ("--stop --port 7").Request = Stop, "--stop");
-      Assert (Read ("--print-markers 7").Request = Print_Markers,
-              "--print-markers");
-      Expect_Limits ("--print-markers", "1000", "0 .. 999");
-      Assert (Read ("--help --port x").Request = Show_Help,
-              "what follows a request for help counts no more");
-      Assert (Read ("--port x --help").Request = Wrong,
-              "what follows a mistake counts no more");
+      --  What follows a request for help or a mistake counts no more
+      for Row of Split
+        ("--help=Show_Help|-h=Show_Help|--version=Show_Version"
+         & "|--check --port 7=Check|--stop --port 7=Stop"
+         & "|--print-markers 7=Print_Markers|--help --port x=Show_Help"
+         & "|--port x --help=Wrong")
+      loop
+         Assert (Read (Split (Row, '=') (1)).Request
+                 = Request_Kind'Value (Split (Row, '=') (2)), Row);
+      end loop;
+      Assert (Chosen ("--check --port 7").Port = 7, "its port");
    end Test_Requests;
 
    procedure Test_Wrong is
+      --  With what stands on standard error
    begin
-      Expect_Wrong ("--nonsense", "unknown option '--nonsense'");
-      Expect_Wrong ("--ports 7", "unknown option '--ports'");
-      Expect_Wrong ("-port 7", "unexpected argument '-port'");
-      Expect_Wrong ("stray", "unexpected argument 'stray'");
-      Expect_Wrong ("--port 7 stray", "unexpected argument 'stray'");
-      for Option of Split ("--allow|--token|--serial|--trace") loop
-         Expect_Wrong (Option, "a value is missing after " & Option);
+      for Row of Split
+        ("--nonsense#unknown option '--nonsense'"
+         & "|--ports 7#unknown option '--ports'"
+         & "|--=1#unknown option '--'"
+         & "|-port 7#unexpected argument '-port'"
+         & "|stray#unexpected argument 'stray'"
+         & "|--port 7 stray#unexpected argument 'stray'"
+         & "|--check=1#option '--check' takes no value"
+         & "|--allow#a value is missing after --allow"
+         & "|--token#a value is missing after --token"
+         & "|--token=#a value is missing after --token"
+         & "|--serial#a value is missing after --serial"
+         & "|--serial=#a value is missing after --serial"
+         & "|--serial --port 7#a value is missing after --serial"
+         & "|--trace#a value is missing after --trace"
+         & "|--trace=#a value is missing after --trace"
+         & "|--marker square#--marker: 'square' is neither aruco nor triangle"
+         & "|--marker-size 80"
+         & "#--marker-size: nothing to print without --print-markers"
+         & "|--draw robots#--draw: 'robots' is not all, arena or none"
+         & "|--log-level loud#--log-level: 'loud' is no level of the log"
+         & "|--port=#--port: '' is not a number in 0 .. 65535"
+         & "|--port 1000000080"
+         & "#--port: '1000000080' is not a number in 0 .. 65535"
+         & "|--port 65536#--port: '65536' is not a number in 0 .. 65535"
+         & "|--port -1#--port: '-1' is not a number in 0 .. 65535"
+         & "|--fps 0#--fps: '0' is not a number in 1 .. 100"
+         & "|--frame-size 15x20"
+         & "#--frame-size: '15' is not a number in 16 .. 4096"
+         & "|--frame-size 16x4097"
+         & "#--frame-size: '4097' is not a number in 16 .. 4096"
+         & "|--frame-size 1024#--frame-size: '1024' is not WIDTHxHEIGHT"
+         & "|--frame-size x#--frame-size: '' is not a number in 16 .. 4096"
+         & "|--arena-size 29x60"
+         & "#--arena-size: '29' is not a number in 30 .. 1000"
+         & "|--arena-size 80x1001"
+         & "#--arena-size: '1001' is not a number in 30 .. 1000"
+         & "|--arena-size 80#--arena-size: '80' is not WIDTHxHEIGHT"
+         & "|--cpu 1024#--cpu: '1024' is not a number in 0 .. 1023"
+         & "|--cpu Auto#--cpu: 'Auto' is not a number in 0 .. 1023"
+         & "|--print-markers 1000"
+         & "#--print-markers: '1000' is not a number in 0 .. 999"
+         & "|" & Eight_Networks
+         & " --allow 10.0.0.9#--allow: more than 8 networks"
+         & "|--allow=10.0.0.1/8#--allow: '10.0.0.1/8'" & No_Network
+         & "|--allow=10.0.0.0/33#--allow: '10.0.0.0/33'" & No_Network
+         & "|--allow=::1#--allow: '::1'" & No_Network
+         & "|--allow=#--allow: ''" & No_Network)
+      loop
+         declare
+            Part : constant Line_Vectors.Vector := Split (Row, '#');
+            R    : constant Reading := Read (Part (1));
+         begin
+            Assert (R.Request = Wrong
+                    and then Texts.Image (R.Reason) = Part (2),
+                    Row & ": " & R.Request'Image & " "
+                    & Texts.Image (R.Reason));
+         end;
       end loop;
-      for Option of Split ("--token|--serial|--trace") loop
-         Expect_Wrong (Option & "=", "a value is missing after " & Option);
-      end loop;
-      Expect_Wrong ("--serial --port 7", "a value is missing after --serial");
-      Expect_Wrong ("--marker square",
-                    "--marker: 'square' is neither aruco nor triangle");
-      Expect_Wrong
-        ("--draw robots", "--draw: 'robots' is not all, arena or none");
-      Expect_Wrong
-        ("--log-level loud", "--log-level: 'loud' is no level of the log");
    end Test_Wrong;
 
 begin
    Run_Test ("nothing given", Test_Defaults'Access);
-   Run_Test ("every option", Test_Every_Option'Access);
-   Run_Test ("name=value", Test_Equals'Access);
-   Run_Test ("limits of the numbers", Test_Limits'Access);
-   Run_Test ("networks", Test_Networks'Access);
+   Run_Test ("every option, and its limits", Test_Every_Option'Access);
    Run_Test ("requests", Test_Requests'Access);
    Run_Test ("bad usage", Test_Wrong'Access);
    Run_Test ("an endless argument", Test_Long'Access);

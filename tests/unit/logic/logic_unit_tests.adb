@@ -5,12 +5,10 @@
 with Admission_Tests;
 with Base64_Tests;
 with Command_Lines_Tests;
-with Line_Health_Tests;
 with Mailboxes_Tests;
 with Mission_Arenas_Tests;
 with Mission_Grounds_Tests;
 with Mission_Runs_Tests;
-with Missions_Texts_Tests;
 with Monitor_Link_Tests;
 with Monitor_Protocol_Tests;
 with Networks_Tests;
@@ -27,9 +25,7 @@ begin
    Group ("Networks", Networks_Tests'Access);
    Group ("Robot.Protocol", Robot_Protocol_Tests'Access);
    Group ("Monitor.Protocol", Monitor_Protocol_Tests'Access);
-   Group ("Robot.Health", Line_Health_Tests'Access);
    Group ("Monitor.Mailboxes", Mailboxes_Tests'Access);
-   Group ("Monitor.Notices", Missions_Texts_Tests'Access);
    Group ("Missions.Arenas", Mission_Arenas_Tests'Access);
    Group ("Missions.Grounds", Mission_Grounds_Tests'Access);
    Group ("Missions.Runs", Mission_Runs_Tests'Access);

@@ -7,9 +7,7 @@ with Ada.Strings.Fixed; use Ada.Strings.Fixed;
 
 with Commands; use Commands;
 with Monitor.Mailboxes;  use Monitor.Mailboxes;
-with Monitor.Notices;
 with Monitor.Protocol; use Monitor.Protocol;
-with Schedule;
 with Unit_Runs; use Unit_Runs;
 
 procedure Mailboxes_Tests is
@@ -91,12 +89,13 @@ procedure Mailboxes_Tests is
       else Answer);
 
    procedure Play (Script : String) is
-      --  Its words: a command "a", "b" or "c" arrives; "a=LINE" answers it,
-      --  "a=" with nothing; "image" and a line put an unsolicited message,
+      --  Its words: "new", "closed" and "reopened" are of the session, "stop"
+      --  of the images; a command "a", "b" or "c" arrives; "a=LINE" answers
+      --  it, "a=" with nothing; "image" and a line put an unsolicited message,
       --  "a/LINE" one of the mission that it began; "+N": so many ms pass;
       --  ">LINE" or ">image" is taken next, ">" nothing, "N>" so many ms after
       --  the one before; "gap=N"; "held" and "free": unsolicited ones are held
-      --  back, or not
+      --  back, or not; "hold=N": for so many ms
 
       procedure Put (Line : String; Of_Mission : Ticket := 0) is
       begin
@@ -109,7 +108,15 @@ procedure Mailboxes_Tests is
          Rest  : constant String := Word (Word'First + 2 .. Word'Last);
          Kept  : Boolean;
       begin
-         if Word = "image" then
+         if Word = "new" then
+            Begin_Anew;
+         elsif Word = "closed" then
+            Close_Session (B);
+         elsif Word = "reopened" then
+            Open_Session (B);
+         elsif Word = "stop" then
+            Stop_Images (B);
+         elsif Word = "image" then
             Put_Image (B, B.Made, Now, Kept);
             Assert (Kept, "the image is kept");
          elsif Word in "held" | "free" then
@@ -124,6 +131,9 @@ procedure Mailboxes_Tests is
          elsif First = '+' then
             Now := Now + Ms (Integer'Value (Word));
             End_Hold (B, Now);
+         elsif Head (Word, 5) = "hold=" then
+            Assert (Hold_End (B) = Now + Ms (Integer'Value (Tail (Word, 3))),
+                    "not " & Word & ": " & Script);
          elsif Head (Word, 4) = "gap=" then
             Assert (Gap (B, Next (B), Between)'Image = " "
                     & Word (Word'First + 4 .. Word'Last),
@@ -147,12 +157,6 @@ procedure Mailboxes_Tests is
          Carry_Out (Word);
       end loop;
    end Play;
-
-   procedure Play_Anew (Script : String) is
-   begin
-      Begin_Anew;
-      Play (Script);
-   end Play_Anew;
 
    procedure Test_Arena is
       First, Second  : Ticket;
@@ -191,26 +195,11 @@ procedure Mailboxes_Tests is
       Assert (Place = First + Capacity, "room again");
    end Test_Full;
 
-   procedure Test_Gap is
-   begin
-      Play_Anew ("CPOS:one image gap=0 0>image gap=20 image CPOS:two 19> "
-                 & ">CPOS:two a a=AACK gap=4 3> 4>AACK gap=20 19> >image "
-                 & "gap=0 >");
-   end Test_Gap;
-
-   procedure Test_Hold is
-   begin
-      Play_Anew ("a b RBLV:2 image");
-      Assert (Hold_End (B) = Now + Schedule.Hold_Limit, "its end");
-      Assert (Schedule.Hold_Limit = Ms (950), "other times here");
-      Play ("+949 > +1 free a=AACK b=ACRJ >AACK >RBLV:2 >ACRJ >image");
-   end Test_Hold;
-
    procedure Test_Hold_Of_All is
       --  A command each 10 ms, answered at once, leaves no gap of 20 ms
       Turns : Natural := 0;
    begin
-      Play_Anew ("a a=AACK >AACK RBLV:2 free");
+      Play ("new a a=AACK >AACK RBLV:2 free");
       loop
          Play ("a a=AACK >AACK");
          Turns := Turns + 1;
@@ -222,104 +211,47 @@ procedure Mailboxes_Tests is
       Play ("10>RBLV:2");
    end Test_Hold_Of_All;
 
-   procedure Test_Hold_Of_Each is
-      --  However long unsolicited messages have waited for a slow monitor
-   begin
-      Play_Anew ("a RBLV:2 image held a=AACK >AACK >RBLV:2 +500 b");
-      Assert (Hold_End (B) = Now + Schedule.Hold_Limit, "put off");
-      Play ("+450 > +500 >image b=AACK >AACK");
-   end Test_Hold_Of_Each;
-
-   procedure Test_Mission is
-   begin
-      Play_Anew ("a a=AACK >AACK a/MPRG:1;2;300 a/MPRG:1;2;200 RBLV:2 "
-                 & ">MPRG:1;2;200 >RBLV:2 >");
-
-      --  the end drops progress, and images do not drop the end
-
-      Play ("a/MPRG:2;2;100 a/MEND:done a/MPRG:2;2;90 CPOS:one image");
-      Stop_Images (B);
-      Play ("image >MEND:done >image >");
-
-      --  held back by the command that ends it
-
-      Play ("b a/MEND:aborted held > b=AACK >AACK gap=20 >MEND:aborted >");
-   end Test_Mission;
-
-   procedure Test_Newest is
-   begin
-      Play_Anew ("image image MSSG:one ATIM MSSG:two >ATIM >MSSG:one "
-                 & ">MSSG:two ATIM >ATIM >image > image");
-      Stop_Images (B);
-      Play (">");
-      Assert (Told (Monitor.Notices.Camera_Stopped).Line
-                = Short ("MSSG:camera closed: it delivers no images any more")
-              and then
-                Told (Monitor.Notices.Robot_Lost_Empty).Line
-                  = Short ("MSSG:robot lost: its battery was empty, it may be "
-                           & "off: charge it"), "texts");
-   end Test_Newest;
-
-   procedure Test_Old_Mission is
-   begin
-      Play_Anew ("a a=AACK a/MPRG:1;1;300 a/MEND:done");
-      Close_Session (B);
-      Play ("a/MEND:done");
-      Open_Session (B);
-      Play ("a/MPRG:1;1;300 a/MEND:done > b b=AACK b/MEND:done a/MEND:aborted "
-            & ">AACK >MEND:done");
-   end Test_Old_Mission;
-
-   procedure Test_Order is
-   begin
-      Play_Anew ("a b c image c=ACRJ > b= a=AACK a=ACER >AACK >ACRJ >image");
-   end Test_Order;
-
-   procedure Test_Stale is
-      Kept : Boolean;
-      Made : constant Generation := B.Made;
-   begin
-      Play_Anew ("a");
-      Play_Anew ("b");
-      Assert (Number ('b') > Number ('a'), "no number twice");
-      Number ('c') := Number ('b') + 1;
-      Play ("a=ACRJ c=ACRJ");
-      Put_Image (B, Made, Now, Kept);
-      Assert (not Kept, "an image of another session");
-      Play ("> b=AACK >AACK");
-   end Test_Stale;
-
-   procedure Test_Turns is
-   begin
-      --  a monitor so slow that there are always new ones of both
-      Play_Anew ("image CPOS:one" & 3 * (" RBLV:2 >RBLV:2 >image image "
-                 & "RBLV:2 >RBLV:2 >CPOS:one CPOS:one"));
-      --  one without the other
-      B.Image := False;
-      Play (">CPOS:one image >image image >image");
-   end Test_Turns;
-
-   procedure Test_Urgency is
-   begin
-      Play_Anew ("a image CPOS:one RBLV:2 a/MEND:done MSSG:text ATIM a=AACK "
-                 & ">AACK >ATIM >MSSG:text >MEND:done >RBLV:2 >image "
-                 & ">CPOS:one > image");
-      B.Open := False;
-      Play (">");
-   end Test_Urgency;
-
 begin
-   Run_Test ("most urgent first", Test_Urgency'Access);
-   Run_Test ("image and position in turn", Test_Turns'Access);
-   Run_Test ("answers in order", Test_Order'Access);
-   Run_Test ("the newest image wins", Test_Newest'Access);
+   Run_Scripts
+     (Play'Access,
+      "most urgent first: new a image CPOS:one RBLV:2 a/MEND:done MSSG:text "
+      & "ATIM a=AACK >AACK >ATIM >MSSG:text >MEND:done >RBLV:2 >image "
+      & ">CPOS:one >"
+
+      --  a monitor so slow that there are always new ones of both; then one
+      --  without the other
+      & "|image and position in turn: new image CPOS:one"
+      & 3 * " RBLV:2 >RBLV:2 >image image RBLV:2 >RBLV:2 >CPOS:one CPOS:one"
+      & " >image >CPOS:one image >image image >image"
+
+      & "|answers in order: new a b c image c=ACRJ > b= a=AACK a=ACER >AACK "
+      & ">ACRJ >image"
+
+      & "|the newest image wins: new image image MSSG:one ATIM MSSG:two >ATIM "
+      & ">MSSG:one >MSSG:two ATIM >ATIM >image > image stop >"
+
+      --  however long unsolicited messages have waited for a slow monitor
+      & "|rule 7, the hold of each command: new a b RBLV:2 image hold=950 "
+      & "+949 > +1 free a=AACK b=ACRJ >AACK >RBLV:2 >ACRJ >image "
+      & "new a RBLV:2 image held a=AACK >AACK >RBLV:2 +500 b hold=950 +450 > "
+      & "+500 >image b=AACK >AACK"
+
+      & "|the gap and the turns: new CPOS:one image gap=0 0>image gap=20 "
+      & "image CPOS:two 19> >CPOS:two a a=AACK gap=4 3> 4>AACK gap=20 19> "
+      & ">image gap=0 >"
+
+      --  the end drops progress, and images do not drop the end; it is held
+      --  back by the command that ends the mission
+      & "|progress and end: new a a=AACK >AACK a/MPRG:1;2;300 a/MPRG:1;2;200 "
+      & "RBLV:2 >MPRG:1;2;200 >RBLV:2 > "
+      & "a/MPRG:2;2;100 a/MEND:done a/MPRG:2;2;90 CPOS:one image stop image "
+      & ">MEND:done >image > "
+      & "b a/MEND:aborted held > b=AACK >AACK gap=20 >MEND:aborted >"
+
+      & "|a mission of another session: new a a=AACK a/MPRG:1;1;300 "
+      & "a/MEND:done closed a/MEND:done reopened a/MPRG:1;1;300 a/MEND:done > "
+      & "b b=AACK b/MEND:done a/MEND:aborted >AACK >MEND:done");
    Run_Test ("an answer that is an image", Test_Arena'Access);
-   Run_Test ("rule 7: the hold", Test_Hold'Access);
-   Run_Test ("each command has its hold", Test_Hold_Of_Each'Access);
    Run_Test ("commands without end hold no longer", Test_Hold_Of_All'Access);
-   Run_Test ("the gap and the turns", Test_Gap'Access);
-   Run_Test ("progress and end", Test_Mission'Access);
-   Run_Test ("a mission of another session", Test_Old_Mission'Access);
-   Run_Test ("numbers out of date", Test_Stale'Access);
    Run_Test ("room for 256", Test_Full'Access);
 end Mailboxes_Tests;

@@ -42,18 +42,15 @@ procedure Mission_Arenas_Tests is
        Micro_Pixels (To_Grid (P).Y * Unit_Size)));
 
    function On_Grid (Corners : Arena_Corners) return Arena_Corners is
-     ((Top_Left     => On_Grid (Corners (Top_Left)),
-       Top_Right    => On_Grid (Corners (Top_Right)),
-       Bottom_Right => On_Grid (Corners (Bottom_Right)),
-       Bottom_Left  => On_Grid (Corners (Bottom_Left))));
+     (On_Grid (Corners (Top_Left)), On_Grid (Corners (Top_Right)),
+      On_Grid (Corners (Bottom_Right)), On_Grid (Corners (Bottom_Left)));
    --  As the map has them
 
    function Rectangle (Left, Top, Right, Bottom : Real)
      return Arena_Corners
-   is (Top_Left     => Pixels (Left, Top),
-       Top_Right    => Pixels (Right, Top),
-       Bottom_Right => Pixels (Right, Bottom),
-       Bottom_Left  => Pixels (Left, Bottom));
+   is (Pixels (Left, Top), Pixels (Right, Top), Pixels (Right, Bottom),
+       Pixels (Left, Bottom));
+   --  As all arenas: clockwise from the upper left corner
 
    Usual : constant Arena_Corners :=
      (Top_Left     => Pixels (71.3, 40.9),
@@ -128,15 +125,18 @@ procedure Mission_Arenas_Tests is
       return Solve (E, Values);
    end Fitted;
 
-   function Is_Usable
-     (Corners : Arena_Corners; Size : Arena_Size := (80, 60)) return Boolean
+   procedure Expect
+     (Usable  : Boolean;
+      What    : String;
+      Corners : Arena_Corners;
+      Size    : Arena_Size := (80, 60))
    is
-      M      : Map;
-      Usable : Boolean;
+      M     : Map;
+      Found : Boolean;
    begin
-      Make (Corners, Size, M, Usable);
-      return Usable;
-   end Is_Usable;
+      Make (Corners, Size, M, Found);
+      Assert (Found = Usable, What & ": " & Found'Image);
+   end Expect;
 
    function Seen
      (Corners : Arena_Corners; Size : Arena_Size; X, Y : Real)
@@ -173,10 +173,8 @@ procedure Mission_Arenas_Tests is
    procedure Test_Forms is
       M      : constant Map := Map_Of;
       Turned : constant Map :=
-        Map_Of ((Top_Left     => Usual (Bottom_Right),
-                 Top_Right    => Usual (Bottom_Left),
-                 Bottom_Right => Usual (Top_Left),
-                 Bottom_Left  => Usual (Top_Right)));
+        Map_Of ((Usual (Bottom_Right), Usual (Bottom_Left),
+                 Usual (Top_Left), Usual (Top_Right)));
    begin
       for X in Wide range 0 .. 64 loop
          for Y in Wide range 0 .. 48 loop
@@ -270,23 +268,26 @@ procedure Mission_Arenas_Tests is
    procedure Test_Outside is
       M     : Map := Map_Of (Rectangle (200.0, 150.0, 440.0, 330.0));
       Where : Place;
-      Known : Boolean;
+
+      procedure Expect (X, Y : Real; Known : Boolean; What : String) is
+         Found : Boolean;
+      begin
+         Locate (M, Pixels (X, Y), Where, Found);
+         Assert (Found = Known, What & X'Image & Y'Image);
+      end Expect;
+
    begin
-      Locate (M, Pixels (197.0, 336.0), Where, Known);
-      Assert (Known and then Where = (-10_000, -20_000), "left and below");
-      Locate (M, Pixels (455.0, 144.0), Where, Known);
-      Assert (Known and then Where = (850_000, 620_000), "right and above");
-      Locate (M, Pixels (-0.5, 200.0), Where, Known);
-      Assert (Known, "less than its width away");
-      Locate (M, Pixels (690.0, 200.0), Where, Known);
-      Assert (not Known, "more than its width away");
+      Expect (197.0, 336.0, True, "left and below");
+      Assert (Where = (-10_000, -20_000), "left and below");
+      Expect (455.0, 144.0, True, "right and above");
+      Assert (Where = (850_000, 620_000), "right and above");
+      Expect (-0.5, 200.0, True, "less than its width away");
+      Expect (690.0, 200.0, False, "more than its width away");
       for Far of Vector'(-0.51, 4_095.5, -1.0, 4_096.0, 1.0E6, -1.0E6,
                          1.0E7, -1.0E7)
       loop
-         Locate (M, Pixels (Far, 200.0), Where, Known);
-         Assert (not Known, "far in x");
-         Locate (M, Pixels (200.0, Far), Where, Known);
-         Assert (not Known, "far in y");
+         Expect (Far, 200.0, False, "far in x");
+         Expect (200.0, Far, False, "far in y");
       end loop;
 
       --  Beyond the horizon of a steep view
@@ -296,20 +297,27 @@ procedure Mission_Arenas_Tests is
                     Bottom_Right => Pixels (1_280.0, 940.0),
                     Bottom_Left  => Pixels (320.0, 940.0)));
       for Y in 0 .. 400 loop
-         Locate (M, Pixels (800.0, Real (Y)), Where, Known);
-         Assert (not Known, "beyond the horizon, and near it");
+         Expect (800.0, Real (Y), False, "beyond the horizon, and near it");
       end loop;
-      Locate (M, Pixels (800.0, 599.0), Where, Known);
-      Assert (Known and then Where.X = 400_000
-              and then Where.Y in 600_001 .. 620_000, "just outside");
+      Expect (800.0, 599.0, True, "just outside");
+      Assert (Where.X = 400_000 and then Where.Y in 600_001 .. 620_000,
+              "just outside");
    end Test_Outside;
 
    procedure Test_Poses is
       Size   : constant Arena_Size := (80, 60);
       M      : constant Map := Map_Of;
+      Far    : constant Vision.Point := Pixels (5_000.0, 0.0);
       Known  : Boolean;
       Where  : Pose;
       R      : Vision.Robot;
+
+      procedure Refuse (Centre, Direction : Vision.Point; What : String) is
+      begin
+         Locate (M, (0, Centre, Direction, 0), Where, Known);
+         Assert (not Known, What);
+      end Refuse;
+
    begin
       for Degree in -179 .. 180 loop
          for At_X in 1 .. 7 loop
@@ -339,62 +347,49 @@ procedure Mission_Arenas_Tests is
          end loop;
       end loop;
 
-      R.Direction := R.Centre;
-      Locate (M, R, Where, Known);
-      Assert (not Known, "no direction");
-      R.Direction := Pixels (5_000.0, 0.0);
-      Locate (M, R, Where, Known);
-      Assert (not Known, "a direction far outside");
-      R.Direction := R.Centre;
-      R.Centre := Pixels (5_000.0, 0.0);
-      Locate (M, R, Where, Known);
-      Assert (not Known, "a centre far outside");
+      Refuse (R.Centre, R.Centre, "no direction");
+      Refuse (R.Centre, Far, "a direction far outside");
+      Refuse (Far, R.Centre, "a centre far outside");
    end Test_Poses;
 
    procedure Test_Refused is
+
+      function Square (Right, Below : Real) return Arena_Corners is
+        (Rectangle (10.0, 10.0, Right, Below));
+
+      function Mixed (A, B, C, D : Corner) return Arena_Corners is
+        (Usual (A), Usual (B), Usual (C), Usual (D));
+
+      Changed : Arena_Corners;
    begin
-      Assert (Is_Usable (Usual), "the usual one");
-      Assert (not Is_Usable (No_Arena), "none");
-      Assert
-        (not Is_Usable ((Top_Left     => Usual (Top_Right),
-                         Top_Right    => Usual (Top_Left),
-                         Bottom_Right => Usual (Bottom_Left),
-                         Bottom_Left  => Usual (Bottom_Right))), "mirrored");
-      Assert
-        (not Is_Usable ((Top_Left     => Usual (Top_Left),
-                         Top_Right    => Usual (Bottom_Right),
-                         Bottom_Right => Usual (Top_Right),
-                         Bottom_Left  => Usual (Bottom_Left))), "crossed");
+      Expect (True, "the usual one", Usual);
+      Expect (False, "none", No_Arena);
+      Expect (False, "mirrored",
+              Mixed (Top_Right, Top_Left, Bottom_Left, Bottom_Right));
+      Expect (False, "crossed",
+              Mixed (Top_Left, Bottom_Right, Top_Right, Bottom_Left));
       for C in Corner loop
-         declare
-            Dented  : Arena_Corners := Rectangle (0.0, 0.0, 600.0, 450.0);
-            Folded  : Arena_Corners := Usual;
-            Outside : Arena_Corners := Usual;
-         begin
-            Dented (C) := Pixels (300.0, 225.0);
-            Assert (not Is_Usable (Dented), "on the diagonal");
-            Folded (C) := Folded (Corner'Val ((Corner'Pos (C) + 1) mod 4));
-            Assert (not Is_Usable (Folded), "two corners are one");
-            Outside (C) := Pixels (300.0, -0.6);
-            Assert (not Is_Usable (Outside), "outside the image, up");
-            Outside (C) := Pixels (9.9E6, 300.0);
-            Assert (not Is_Usable (Outside), "outside the image, far");
-         end;
+         Changed := Rectangle (0.0, 0.0, 600.0, 450.0);
+         Changed (C) := Pixels (300.0, 225.0);
+         Expect (False, "on the diagonal", Changed);
+         Changed := Usual;
+         Changed (C) := Changed (Corner'Val ((Corner'Pos (C) + 1) mod 4));
+         Expect (False, "two corners are one", Changed);
+         Changed (C) := Pixels (300.0, -0.6);
+         Expect (False, "outside the image, up", Changed);
+         Changed (C) := Pixels (9.9E6, 300.0);
+         Expect (False, "outside the image, far", Changed);
       end loop;
 
       --  Sides of 100 pixels, if they are not too coarse for 1 mm
 
-      Assert (Is_Usable (Rectangle (10.0, 10.0, 110.0, 110.0), (60, 60)),
-              "100 pixels of 60 cm");
-      Assert (not Is_Usable (Rectangle (10.0, 10.0, 109.9, 110.0), (30, 60)),
-              "less than 100 pixels, x");
-      Assert (not Is_Usable (Rectangle (10.0, 10.0, 110.0, 109.9), (60, 30)),
-              "less than 100 pixels, y");
-      Assert (not Is_Usable (Rectangle (10.0, 10.0, 110.0, 110.0), (80, 60)),
-              "100 pixels of 80 cm");
-      Assert (not Is_Usable (Usual, (800, 600)), "8 m in a small image");
-      Assert (Is_Usable (Rectangle (0.0, 0.0, 3_000.0, 2_250.0), (800, 600)),
-              "8 m in a large image");
+      Expect (True, "100 pixels of 60 cm", Square (110.0, 110.0), (60, 60));
+      Expect (False, "less, x", Square (109.9, 110.0), (30, 60));
+      Expect (False, "less, y", Square (110.0, 109.9), (60, 30));
+      Expect (False, "100 pixels of 80 cm", Square (110.0, 110.0), (80, 60));
+      Expect (False, "8 m in a small image", Usual, (800, 600));
+      Expect (True, "8 m in a large image",
+              Rectangle (0.0, 0.0, 3_000.0, 2_250.0), (800, 600));
    end Test_Refused;
 
    procedure Test_Targets is

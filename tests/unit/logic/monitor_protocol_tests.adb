@@ -2,6 +2,7 @@
 --  The monitor's lines: every label, numbers, line ends, answers, positions.
 
 with Ada.Strings.Fixed; use Ada.Strings.Fixed;
+with Ada.Strings.Maps;  use Ada.Strings.Maps;
 
 with Commands; use Commands;
 with Missions;
@@ -25,15 +26,12 @@ procedure Monitor_Protocol_Tests is
       return C;
    end Parsed;
 
-   procedure Feed (R : in out Line_Reader; Text : String) is
-      --  None of Text ends a line.
-      Complete : Boolean;
+   procedure Check (Line : Short_Text; Text : String) is
+      --  Line is Text and a line feed.
    begin
-      for C of Text loop
-         Accept_Character (R, C, Complete);
-         Assert (not Complete, "no end of line");
-      end loop;
-   end Feed;
+      Assert (Line.Data (1 .. Line.Length) = Text & LF,
+              Line.Data (1 .. Line.Length) & ", not " & Text);
+   end Check;
 
    function Formatted (P : Position) return String is
       --  Without the line feed, which is checked.
@@ -46,29 +44,29 @@ procedure Monitor_Protocol_Tests is
    function Image (Value : Micro) return String is
       --  Six decimals, by other means than the package's.
       Digits_Only : constant String :=
-        Ada.Strings.Fixed.Trim
+        Trim
           (Long_Long_Integer'Image (Long_Long_Integer (abs Value)),
            Ada.Strings.Left);
       Filled : constant String :=
         (if Digits_Only'Length >= 7 then Digits_Only
-         else Ada.Strings.Fixed.Tail (Digits_Only, 7, '0'));
+         else Tail (Digits_Only, 7, '0'));
    begin
       return (if Value < 0 then "-" else "")
         & Filled (Filled'First .. Filled'Last - 6) & "."
         & Filled (Filled'Last - 5 .. Filled'Last);
    end Image;
 
-   procedure Check_Line (R : in out Line_Reader; Text, Expected : String) is
-      --  The last character of Text, and only that, ends a line: Expected.
-      Line     : Line_Buffer := (others => '.');
-      Last     : Line_Length;
-      Complete : Boolean;
+   procedure Check_Line (Text, Expected : String) is
+      --  Text and a line feed are the line Expected.
+      R       : Line_Reader;
+      Line    : Line_Buffer := (others => '.');
+      Last    : Line_Length;
+      Ignored : Boolean;
    begin
-      Feed (R, Text (Text'First .. Text'Last - 1));
-      Accept_Character (R, Text (Text'Last), Complete);
-      Assert (Complete, "complete: " & Expected);
+      for C of String'(Text & LF) loop
+         Accept_Character (R, C, Ignored);
+      end loop;
       Get_Line (R, Line, Last);
-      R := (others => <>);
       Assert (Line (1 .. Last) = Expected, "line " & Expected);
       Assert ((for all I in Last + 1 .. Line'Last => Line (I) = '.'),
               "behind " & Expected);
@@ -80,7 +78,7 @@ procedure Monitor_Protocol_Tests is
       Q    : Position;
       OK   : Boolean;
    begin
-      Assert (Text = "CPOS:" & Ada.Strings.Fixed.Trim
+      Assert (Text = "CPOS:" & Trim
                 (Integer'Image (P.Id), Ada.Strings.Left)
               & ";" & Image (P.Angle) & ";" & Image (P.Cx) & ";"
               & Image (P.Cy) & ";" & Image (P.Dx) & ";" & Image (P.Dy),
@@ -89,45 +87,25 @@ procedure Monitor_Protocol_Tests is
       Assert (OK and then Q = P, "read back " & Text);
    end Check_Position;
 
-   procedure Check_Refused_Position (Line : String) is
-      P  : Position;
-      OK : Boolean;
-   begin
-      Position_Lines.Parse (Line, P, OK);
-      Assert (not OK and then P = Not_Found, "no position: " & Line);
-   end Check_Refused_Position;
-
-   procedure Test_Answered is
-   begin
-      for K in Command_Name loop
-         Assert (Is_Answered (K)
-                   = (K /= Confirm_Arena and then K /= Reject_Arena
-                      and then K not in Sign_Of_Life | Log_Message),
-                 K'Image);
-      end loop;
-   end Test_Answered;
-
-   procedure Test_Hand is
+   procedure Test_Table is
    begin
       for Name in Command_Name loop
+         Assert (Is_Answered (Name) =
+                   (Name not in Confirm_Arena | Reject_Arena | Sign_Of_Life
+                      | Log_Message),
+                 Name'Image & " is answered");
          Assert (Is_By_Hand (Name) =
                    (Name in Close_Robot | Reset_Robot | Power_Off_Robot
                       | Go_Forward | Go_Backward | Go_Left | Go_Right
                       | Move_Robot | Turn_Robot | Stop_Robot | Abort_Mission),
-                 Name'Image);
+                 Name'Image & " is by hand");
       end loop;
-   end Test_Hand;
+   end Test_Table;
 
    procedure Test_Answers is
 
-      procedure Check (Line : Short_Text; Text : String) is
-         --  Line is Text and a line feed.
-      begin
-         Assert (Line.Data (1 .. Line.Length) = Text & LF, Text);
-      end Check;
-
       function Said (Text : String) return Commands.Outcome is
-        ((Text   => (Data   => Ada.Strings.Fixed.Head
+        ((Text   => (Data   => Head
                        (Text, Commands.Answer_Length'Last),
                      Length => Text'Length),
           others => <>));
@@ -139,6 +117,19 @@ procedure Monitor_Protocol_Tests is
       Check (Reply_To (Get_Version, Said ("3.5")), "RVER:3.5");
       Check (Reply_To (Ping_Robot, Said ("O")), "AACK");
       Check (Battery_Notice (Said ("0")), "RBLV:0");
+      Check (Progress_Line (1, 1, 0), "MPRG:1;1;0");
+      Check (Progress_Line (3, 12, 457), "MPRG:3;12;457");
+      Check (Progress_Line (64, 64, 9_999_999), "MPRG:64;64;9999999");
+      Check (End_Line (Missions.Completed, 0), "MEND:done");
+      Check (End_Line (Missions.No_Progress, 0),
+             "MEND:aborted;no progress for 2 s");
+      Check (End_Line (Missions.Leg_Too_Long, 0),
+             "MEND:aborted;leg takes longer than its time");
+      Check (End_Line (Missions.No_Way, 0), "MEND:aborted;no permitted way");
+      Check (End_Line (Missions.Turns_Amiss, 8),
+             "MEND:aborted;robot turns 8 % of what is asked");
+      Check (End_Line (Missions.Drives_Amiss, 210),
+             "MEND:aborted;robot drives 210 % of what is asked");
       Check (Battery_Notice ((Kind => Commands.Timed_Out, others => <>)),
              "RBLV:-1");
    end Test_Answers;
@@ -192,62 +183,23 @@ procedure Monitor_Protocol_Tests is
       Check ((1 => ASCII.NUL), Unknown);
    end Test_Beginnings;
 
-   procedure Test_Damaged_Positions is
-      Text : constant String :=
-        Formatted ((42, 90_000_000, 320_500_000, -1, 320_500_000, 12));
-      Line : String (1 .. Text'Length);
-      P    : Position;
-      OK   : Boolean;
-   begin
-      --  Whatever one character is replaced by: refused, or another
-      --  position that is written just so, but for zeros in front
-
-      for I in Line'Range loop
-         for C in Character loop
-            Line := Text;
-            Line (I) := C;
-            Position_Lines.Parse (Line, P, OK);
-            if OK and then C not in '0' | '-' then
-               Assert (Formatted (P) = Line, "another position");
-            end if;
-         end loop;
-         if I < Line'Last then
-            Position_Lines.Parse (Text (1 .. I), P, OK);
-            Assert (not OK, "cut");
-         end if;
-      end loop;
-   end Test_Damaged_Positions;
-
    procedure Test_Line_Ends is
       Longest : constant String := (1 .. Max_Line => 'x');
-      R       : Line_Reader;
    begin
-      Check_Line (R, "ROPN" & LF, "ROPN");
-      Check_Line (R, "ROPN" & CR & LF, "ROPN");
-      Check_Line (R, (1 => LF), "");
-      Check_Line (R, CR & LF, "");
-      Check_Line (R, CR & CR & LF, (1 => CR));
-      Check_Line (R, CR & "RPIN" & LF, CR & "RPIN");
-      Check_Line (R, "RP" & CR & "IN" & CR & LF, "RP" & CR & "IN");
-      Check_Line (R, "RP" & CR & CR & "IN" & LF, "RP" & CR & CR & "IN");
-      Check_Line (R, "RMOV:-12" & LF, "RMOV:-12");
-      Check_Line (R, Longest & LF, Longest);
-      Check_Line (R, Longest & CR & LF, Longest);
-      Check_Line (R, Longest & CR & CR & LF, "");
-      Check_Line (R, Longest & "x" & LF, "");
-      Check_Line (R, Longest & "xx" & LF, "");
-      Check_Line (R, "RPIN" & LF, "RPIN");
-
-      --  Half a line, then another connection
-
-      Feed (R, "RSWW");
-      Assert (R.Length = 4, "half a line");
-      R := (others => <>);
-      Assert (R.Length = 0, "cleared");
-      Check_Line (R, "CASA" & LF, "CASA");
-      Feed (R, "RSWW" & CR);
-      R := (others => <>);
-      Check_Line (R, "CASA" & LF, "CASA");
+      --  "~" is a carriage return
+      for Row of Split
+        ("ROPN=ROPN|ROPN~=ROPN|=|~=|~~=~|~RPIN=~RPIN|RP~IN~=RP~IN"
+         & "|RP~~IN=RP~~IN|RMOV:-12=RMOV:-12|" & Longest & "=" & Longest & "|"
+         & Longest & "~=" & Longest & "|" & Longest & "~~=|" & Longest & "x=|"
+         & Longest & "xx=")
+      loop
+         declare
+            Part : constant Line_Vectors.Vector := Split
+              (Translate (Row, To_Mapping ("~", (1 => CR))), '=');
+         begin
+            Check_Line (Part (1), Part (2));
+         end;
+      end loop;
    end Test_Line_Ends;
 
    procedure Test_Malformed is
@@ -267,17 +219,13 @@ procedure Monitor_Protocol_Tests is
 
    procedure Test_Missions is
 
-      type Units is array (Mission_Command) of Missions.Unit;
-
-      Expected : constant Units :=
-        (Go_To_Pixels | Follow_Pixels => Missions.Pixels,
-         others                       => Missions.Centimetres);
-
       use type Missions.Unit;
    begin
       for K in Mission_Command loop
-         Assert (Is_Answered (K), "answered");
-         Assert (Measure (K) = Expected (K), "the unit of " & Label (K));
+         Assert (Measure (K) = (if Label (K) in "MGTO" | "MPTH"
+                                then Missions.Pixels
+                                else Missions.Centimetres),
+                 "the unit of " & Label (K));
          Assert (Most_Points (K) =
                    (if Label (K) in "MGTO" | "MGCM" then 1 else 64), "most");
          Assert (Parsed (Label (K) & ":320.5;-12") = (K, 0), "a point");
@@ -288,30 +236,22 @@ procedure Monitor_Protocol_Tests is
    end Test_Missions;
 
    procedure Test_Numbers is
-
-      procedure Check (Data : String; Value : Integer) is
-         --  Both orders take Data as Value.
-      begin
-         Assert (Parsed ("RMOV:" & Data) = (Move_Robot, Value), Data);
-         Assert (Parsed ("RTRN:" & Data) = (Turn_Robot, Value), Data);
-      end Check;
-
+      --  Examples: numbers of any length are proved (Clamped_Number)
    begin
-      for Number of Split ("0|-0|+0|7|+7|-7|007|-007|32767|-32768") loop
-         Check (Number, Integer'Value (Number));
-      end loop;
-      for Number of Split
-        ("32768|99999999|100000000|2147483648|4294967297"
-         & "|18446744073709551617")
+      for Row of Split
+        ("0=0|-0=0|+0=0|7=7|+7=7|-7=-7|007=7|-007=-7|32767=32767"
+         & "|-32768=-32768|32768=32767|-32769=-32768|99999999=32767"
+         & "|100000000=32767|-18446744073709551617=-32768"
+         & "|0000000000000000000000005=5|-00000000000032768=-32768")
       loop
-         Check (Number, 32_767);
-         Check ("-" & Number & "1", -32_768);
+         declare
+            Data  : constant String := Split (Row, '=') (1);
+            Value : constant Integer := Integer'Value (Split (Row, '=') (2));
+         begin
+            Assert (Parsed ("RMOV:" & Data) = (Move_Robot, Value), Row);
+            Assert (Parsed ("RTRN:" & Data) = (Turn_Robot, Value), Row);
+         end;
       end loop;
-      Check ("-32769", -32_768);
-      Check ((1 .. 1019 => '9'), 32_767);
-      Check ("-" & (1 .. 1018 => '9'), -32_768);
-      Check ((1 .. 1018 => '0') & "5", 5);
-      Check ("-" & (1 .. 1000 => '0') & "32768", -32_768);
    end Test_Numbers;
 
    procedure Test_Positions is
@@ -345,13 +285,6 @@ procedure Monitor_Protocol_Tests is
    end Test_Positions;
 
    procedure Test_Ground is
-
-      procedure Check (Actual : Short_Text; Expected : String) is
-      begin
-         Assert (Actual.Data (1 .. Actual.Length) = Expected & Line_Feed,
-                 Actual.Data (1 .. Actual.Length));
-      end Check;
-
    begin
       Check
         (Ground
@@ -368,14 +301,11 @@ procedure Monitor_Protocol_Tests is
 
    function Path_Of (Text : String) return Missions.Path is
       --  Of centimetres. Count 0: no path
-      use type Missions.Unit;
       P     : Missions.Path;
       Valid : Boolean;
    begin
       Parse (Text, Text'First, Missions.Centimetres, Missions.Max_Points, P,
              Valid);
-      Assert (Valid = (P.Count > 0), Text & ": valid or empty");
-      Assert (P.Measure = Missions.Centimetres, "the unit");
       return P;
    end Path_Of;
 
@@ -409,16 +339,10 @@ procedure Monitor_Protocol_Tests is
          Assert (Path_Of ("1;" & Text).Count = 0, Text & " last");
          Assert (Path_Of ("1;2;" & Text & ";4").Count = 0, Text & " third");
       end loop;
-   end Test_Coordinates;
-
-   procedure Test_Points is
-   begin
-      Assert (Path_Of ("1;2").Count = 1, "a point");
-      Assert (Path_Of ("1;2;3;4").Count = 2, "two");
-      for Text of Split ("|;|1|1;|;1|1;2;|;1;2|1;2;3|1;;2|1;2;3;|1:2") loop
+      for Text of Split (";|1|1;2;|;1;2|1;2;3|1;;2|1;2;3;|1:2") loop
          Assert (Path_Of (Text).Count = 0, Text);
       end loop;
-   end Test_Points;
+   end Test_Coordinates;
 
    procedure Test_Telnet is
       --  Its commands are skipped at both ends of a line, and nowhere else
@@ -433,19 +357,6 @@ procedure Monitor_Protocol_Tests is
 
       Ctrl_C : constant String := Octets ("FF F4 FF FD 06");
 
-      procedure Check (Sent, Expected : String) is
-         R        : Line_Reader;
-         Line     : Line_Buffer;
-         Last     : Line_Length;
-         Complete : Boolean;
-      begin
-         for C of String'(Sent & LF) loop
-            Accept_Character (R, C, Complete);
-         end loop;
-         Get_Line (R, Line, Last);
-         Assert (Line (1 .. Last) = Expected, "not " & Expected);
-      end Check;
-
       procedure Check_Skipped (Command : String) is
          R       : Line_Reader;
          Verdict : Beginning;
@@ -453,11 +364,11 @@ procedure Monitor_Protocol_Tests is
          Last    : Line_Length;
          Text    : constant String := Command & "RSTP" & Command & LF;
       begin
-         Check (Command, "");
-         Check (Command & "RSTP", "RSTP");
-         Check ("RSTP" & Command, "RSTP");
-         Check (Command & "RSTP" & Command & CR, "RSTP");
-         Check ("RS" & Command & "TP", "RS" & Command & "TP");
+         Check_Line (Command, "");
+         Check_Line (Command & "RSTP", "RSTP");
+         Check_Line ("RSTP" & Command, "RSTP");
+         Check_Line (Command & "RSTP" & Command & CR, "RSTP");
+         Check_Line ("RS" & Command & "TP", "RS" & Command & "TP");
          for Cut in Text'Range loop
             Judge (R, Text (1 .. Cut), Verdict, Line, Last);
             Assert (Verdict = (if Cut = Text'Last then Known else Undecided),
@@ -473,14 +384,14 @@ procedure Monitor_Protocol_Tests is
       Check_Skipped (Octets ("FF EC FF ED FF EE FF EF"));
       for Part of String'(Octets ("FF FD FB FA F0 41 EB")) loop
          --  a part of one is none
-         Check (Telnet_Mark & "RSTP" & Part, Telnet_Mark & "RSTP" & Part);
+         Check_Line (Telnet_Mark & "RSTP" & Part, Telnet_Mark & "RSTP" & Part);
          if Part /= Character'Val (16#F0#) then
-            Check (Telnet_Mark & Part, (if Part = Telnet_Mark then ""
-                                        else Telnet_Mark & Part));
+            Check_Line (Telnet_Mark & Part, (if Part = Telnet_Mark then ""
+                                             else Telnet_Mark & Part));
          end if;
       end loop;
-      Check ("RSTP" & Telnet_Mark, "RSTP" & Telnet_Mark);
-      Check (Octets ("FF FA") & "RSTP", Octets ("FF FA") & "RSTP");
+      Check_Line ("RSTP" & Telnet_Mark, "RSTP" & Telnet_Mark);
+      Check_Line (Octets ("FF FA") & "RSTP", Octets ("FF FA") & "RSTP");
    end Test_Telnet;
 
    procedure Test_Refused_Positions is
@@ -490,26 +401,33 @@ procedure Monitor_Protocol_Tests is
 
       P  : Position;
       OK : Boolean;
+
+      procedure Refuse (Line : String) is
+      begin
+         Position_Lines.Parse (Line, P, OK);
+         Assert (not OK and then P = Not_Found, "no position: " & Line);
+      end Refuse;
+
    begin
       for Line of Split
         ("|CPOS|CPOS:|CPOS:1|CPOS:;;;;;|CPOS:1;" & Four & "|CPOS:1;" & Four
          & ";|CPOS:1;" & Four & ";" & Zero & ";|CPOS:1;" & Four & ";" & Zero
          & ";" & Zero & "|CPOS:1;" & Four & ";" & Zero & LF)
       loop
-         Check_Refused_Position (Line);
+         Refuse (Line);
       end loop;
       for Start of Split
         ("CIMG:1|CPOS;1|CPOS:|CPOS:-|CPOS:-2|CPOS:1000|CPOS: 1")
       loop
-         Check_Refused_Position (Start & ";" & Four & ";" & Zero);
+         Refuse (Start & ";" & Four & ";" & Zero);
       end loop;
       for Field of Split
         ("|0|-|.000000|-.000000|0.00000|0.0000000|0,000000|+0.000000"
          & "|--1.000000|1e.000000|nan|10000000.000001|-10000000.000001"
          & "|100000000.000000")
       loop
-         Check_Refused_Position ("CPOS:1;" & Field & ";" & Four);
-         Check_Refused_Position ("CPOS:1;" & Four & ";" & Field);
+         Refuse ("CPOS:1;" & Field & ";" & Four);
+         Refuse ("CPOS:1;" & Four & ";" & Field);
       end loop;
 
       --  Zeros in front and a negative zero do no harm
@@ -521,19 +439,16 @@ procedure Monitor_Protocol_Tests is
    end Test_Refused_Positions;
 
 begin
-   Run_Test ("orders by hand", Test_Hand'Access);
+   Run_Test ("orders by hand, and what is answered", Test_Table'Access);
    Run_Test ("malformed lines", Test_Malformed'Access);
-   Run_Test ("which are answered", Test_Answered'Access);
    Run_Test ("beginnings of lines", Test_Beginnings'Access);
    Run_Test ("numbers, clamped", Test_Numbers'Access);
    Run_Test ("missions", Test_Missions'Access);
-   Run_Test ("coordinates of a path", Test_Coordinates'Access);
-   Run_Test ("pairs and separators of a path", Test_Points'Access);
+   Run_Test ("coordinates and separators of a path", Test_Coordinates'Access);
    Run_Test ("ends of lines", Test_Line_Ends'Access);
    Run_Test ("telnet's commands", Test_Telnet'Access);
    Run_Test ("answers", Test_Answers'Access);
    Run_Test ("F18: positions", Test_Positions'Access);
    Run_Test ("F17: the ground of the arena", Test_Ground'Access);
    Run_Test ("no positions", Test_Refused_Positions'Access);
-   Run_Test ("damaged positions", Test_Damaged_Positions'Access);
 end Monitor_Protocol_Tests;

@@ -1,6 +1,9 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
 --  The session with the robot: the steps of every request, step by step.
 
+with Ada.Strings.Fixed;     use Ada.Strings.Fixed;
+with Ada.Strings.Unbounded; use Ada.Strings.Unbounded;
+
 with Commands;         use Commands;
 with Robot.Health;
 with Robot.Protocol;
@@ -64,52 +67,39 @@ procedure Robot_Session_Tests is
    --  How the robot answers C: '-' not at all, 'E' it refuses, '+' it
    --  accepts, or a digit.
 
-   type Ending is record
-      Kind  : Outcome_Kind;
-      Value : Natural;  --  the digit in the outcome's text
-      Note  : Note_Kind;
-   end record;
+   S      : State;
+   Before : Mode_Kind;
 
-   Success : constant Ending := (Done, 0, Nothing);
-   Refusal : constant Ending := (Refused, 0, Nothing);
-   Silence : constant Ending := (Timed_Out, 0, Nothing);
-
-   procedure Carry_Out
-     (S       : in out State;
-      Kind    : Request_Kind;
-      Answers : String;
-      Trace   : String;
-      Kept    : Ending)
-   is
-      --  A request, whose exchanges and openings are answered so, or else
-      --  accepted: it makes the steps of Trace and ends as Kept says.
-      Label : constant String := Kind'Image & " " & Answers & ": ";
-      Made  : String (1 .. 100) := (others => ' ');
-      Last  : Natural := 0;
-      Used  : Natural := 0;
-      P     : Progress;
-      Next  : Step;
+   procedure Carry_Out (Script, Request : String) is
+      --  "REQUEST:ANSWERS:TRACE:OUTCOME", with a digit or a note after it: its
+      --  exchanges and openings are answered so, or else accepted; it makes
+      --  the steps of the trace and has that outcome
+      Part    : constant Line_Vectors.Vector := Split (Request, ':');
+      Answers : constant String := Part (2);
+      More    : constant String :=
+        (if Part.Last_Index = 5 then Part (5) else "0");
+      Kind    : constant Request_Kind := Request_Kind'Value (Part (1));
+      Wanted  : constant Outcome_Kind := Outcome_Kind'Value (Part (4));
+      Made    : Unbounded_String;
+      Used    : Natural := 0;
+      P       : Progress;
+      Next    : Step;
 
       procedure Get (How : out Character) is
-         --  The next of the answers.
+         --  The next of the answers
       begin
          Used := Used + 1;
          How := (if Used <= Answers'Length
                  then Answers (Answers'First + Used - 1) else '+');
       end Get;
 
-      How   : Character;
+      How : Character;
    begin
       Start_Request (S, (Kind, Driving), P);
       loop
          Next := Next_Step (S, P);
          exit when Next.Kind = Finish;
-         declare
-            M : constant String := Mark (Next);
-         begin
-            Made (Last + 1 .. Last + M'Length) := M;
-            Last := Last + M'Length;
-         end;
+         Append (Made, Mark (Next));
          case Next.Kind is
             when Send | Close_Device | Finish =>
                Continue_Request (S, P, (Ok => False, others => <>));
@@ -121,36 +111,85 @@ procedure Robot_Session_Tests is
                Continue_Request (S, P, Answer (Next.Command, How));
          end case;
       end loop;
-      Assert (Made (1 .. Last) = Trace,
-              Label & "steps " & Made (1 .. Last) & ", not " & Trace);
-      Assert (Used >= Answers'Length, Label & "all answers were wanted");
-      Assert (P.Result.Kind = Kept.Kind
-              and then P.Result.Note = Kept.Note
+      Assert (Made = Part (3) and then Used >= Answers'Length
+              and then P.Result.Kind = Wanted
+              and then P.Result.Note =
+                (if More in "0" | "1" | "2" then Nothing
+                 else Note_Kind'Value (More))
               and then
-                (if Kind in Get_Battery | Get_Moving and then Kept.Kind = Done
-                 then P.Result.Text.Data (1 .. 1)
-                   = Kept.Value'Image (2 .. 2)),
-              Label & "outcome " & P.Result.Kind'Image
+                (if Kind in Get_Battery | Get_Moving and then Wanted = Done
+                 then P.Result.Text.Data (1 .. 1) = More)
+              and then Is_Consistent (S),
+              Request & " in " & Script & " from " & Before'Image & ": "
+              & To_String (Made) & " " & P.Result.Kind'Image
               & P.Result.Text.Data (1) & " " & P.Result.Note'Image);
-      Assert (Is_Consistent (S), Label & "consistent");
    end Carry_Out;
 
-   procedure Check
-     (Mode    : Mode_Kind;
-      Kind    : Request_Kind;
-      Answers : String;
-      Trace   : String;
-      Kept    : Ending;
-      After   : Mode_Kind)
-   is
-      --  The same, from an open line in step, and the line stays open.
-      S : State := Opened (Mode);
+   procedure Play (Script : String) is
+      --  Requests one after the other, from each state that "@WORD" names:
+      --  a mode of an open line in step; "running", the two that are started;
+      --  "any" of the three; "unsure", started with one answer missing;
+      --  "closed", the initial state. After it: "=MODE", or "=" for that
+      --  before, of the open line; "new", an open line in step in the mode
+      --  before; "idle", the robot is known not to run; "closed";
+      --  "failures:N"
+
+      procedure Begin_In (Name : String) is
+      begin
+         S := (if Name = "closed" then (others => <>) else Opened (Before));
+         if Name = "unsure" then
+            S.Health := Robot.Health.After_Failure (S.Health, Wire.Ping);
+         end if;
+      end Begin_In;
+
+      procedure Obey (Word : String) is
+
+         procedure Check (Is_So : Boolean) is
+         begin
+            Assert (Is_So, Word & " in " & Script & " from " & Before'Image
+                    & ": " & S.Mode'Image & " " & S.Line_Open'Image);
+         end Check;
+
+      begin
+         if Word = "closed" then
+            Check (S = State'(others => <>));
+         elsif Word = "new" then
+            Check (S = Opened (Before));
+         elsif Word = "idle" then
+            Check (S.Idle);
+            S.Idle := False;
+         elsif Head (Word, 9) = "failures:" then
+            Check (S.Health.Failures'Image (2 .. 2) = Tail (Word, 1));
+         elsif Head (Word, 1) = "=" then
+            Check (S.Line_Open
+                   and then S.Mode =
+                     (if Word = "=" then Before
+                      else Mode_Kind'Value (Tail (Word, Word'Length - 1))));
+         elsif Word /= "" then
+            Carry_Out (Script, Word);
+         end if;
+      end Obey;
+
+      function Is_Meant (Name : String; Mode : Mode_Kind) return Boolean is
+        (if Name = "any" then True
+         elsif Name = "running" then Mode /= Not_Started
+         elsif Name = "unsure" then Mode = Started
+         elsif Name = "closed" then Mode = Not_Started
+         else Mode_Kind'Value (Name) = Mode);
+
    begin
-      Carry_Out (S, Kind, Answers, Trace, Kept);
-      Assert (S.Line_Open, Kind'Image & ": the line stays open");
-      Assert (S.Mode = After,
-              Kind'Image & ": " & Mode'Image & " to " & S.Mode'Image);
-   end Check;
+      for Part of Split (Tail (Script, Script'Length - 1), '@') loop
+         for Mode in Mode_Kind loop
+            if Is_Meant (Split (Part, ' ') (1), Mode) then
+               Before := Mode;
+               Begin_In (Split (Part, ' ') (1));
+               for K in 2 .. Split (Part, ' ').Last_Index loop
+                  Obey (Split (Part, ' ') (K));
+               end loop;
+            end if;
+         end loop;
+      end loop;
+   end Play;
 
    procedure Explore (H : History; S : State; P : Progress) is
       --  Every answer to the next step, and to all that follows: what the
@@ -210,45 +249,14 @@ procedure Robot_Session_Tests is
       end case;
    end Explore;
 
-   procedure Test_Close is
-      S : State := Opened (Not_Started);
-   begin
-      Carry_Out (S, Close_Line, "", "C", Success);
-      Assert (not S.Line_Open, "closed");
-      for Mode in Started .. Started_With_Watchdog loop
-         S := Opened (Mode);
-         Carry_Out (S, Close_Line, "+", ".C", Success);
-         Assert (not S.Line_Open and then S.Mode = Not_Started, "closed");
-         S := Opened (Mode);
-         Carry_Out (S, Close_Line, "E", ".C", Success);
-         Assert (not S.Line_Open and then S.Mode = Not_Started,
-                 "closed, though the stop was refused");
-      end loop;
-   end Test_Close;
-
    procedure Test_Closed is
-      S : State;
    begin
       for Kind in Request_Kind range Close_Line .. Keep_Alive loop
-         Carry_Out (S, Kind, "", "",
-                    ((if Kind = Close_Line then Done else Not_Open),
-                     0, Nothing));
-         Assert (not S.Line_Open, "stays closed");
+         Play ("@closed " & Kind'Image & ":::"
+               & (if Kind = Close_Line then "Done" else "Not_Open")
+               & " closed");
       end loop;
    end Test_Closed;
-
-   procedure Test_Drive is
-   begin
-      Check (Not_Started, Drive, "", "", Refusal, Not_Started);
-      for Mode in Started .. Started_With_Watchdog loop
-         Check (Mode, Drive, "+", "T", Success, Mode);
-         Check (Mode, Drive, "E+", "T.", Refusal, Mode);
-         Check (Mode, Drive, "EE", "T.", (Refused, 0, Not_Running),
-                Not_Started);
-         Check (Mode, Drive, "E-", "T.", Silence, Mode);
-         Check (Mode, Drive, "-", "T", Silence, Mode);
-      end loop;
-   end Test_Drive;
 
    procedure Test_Everything is
 
@@ -260,7 +268,6 @@ procedure Robot_Session_Tests is
          Explore ((Before => S, Request => R, others => <>), S, P);
       end Explore_From;
 
-      S : State;
    begin
       Visited := 0;
       for Kind in Request_Kind loop
@@ -284,253 +291,104 @@ procedure Robot_Session_Tests is
       Assert (Visited > 5_000, "steps visited:" & Visited'Image);
    end Test_Everything;
 
-   procedure Test_Keep_Alive is
-   begin
-      for Mode in Mode_Kind loop
-         Check (Mode, Keep_Alive, "+", "p", Success, Mode);
-         Check (Mode, Keep_Alive, "-", "p", Silence, Mode);
-      end loop;
-   end Test_Keep_Alive;
-
-   procedure Test_Leaving is
-   begin
-      Check (Not_Started, Reset, "+", "r", Success, Not_Started);
-      Check (Not_Started, Power_Off, "+", "z", Success, Not_Started);
-      for Mode in Started .. Started_With_Watchdog loop
-         Check (Mode, Reset, "++", ".r", Success, Not_Started);
-         Check (Mode, Reset, "E+", ".r", Success, Not_Started);
-         Check (Mode, Reset, "+E", ".r", Refusal, Not_Started);
-         Check (Mode, Reset, "+-", ".r", Silence, Mode);
-         Check (Mode, Power_Off, "++", ".z", Success, Not_Started);
-         Check (Mode, Power_Off, "+E", ".z", Refusal, Mode);
-
-         --  Its answer is cut off: does the robot still answer?
-
-         Check (Mode, Power_Off, "+--", ".z~V", Success, Not_Started);
-         Check (Mode, Power_Off, "+-++", ".z~Vz", Success, Not_Started);
-         Check (Mode, Power_Off, "+-+-", ".z~Vz", Silence, Mode);
-      end loop;
-   end Test_Leaving;
-
-   procedure Test_Leaving_Unanswered is
-      S : State;
-   begin
-      for Mode in Started .. Started_With_Watchdog loop
-         Check (Mode, Reset, "-+++", ".!.~V.r", Success, Not_Started);
-         Check (Mode, Power_Off, "--++", ".!.~V~v.z", Success, Not_Started);
-
-         --  The probes are answered, the stops never
-
-         Check (Mode, Reset, "-+-+-+-", ".!.~V.~V.~V.~Vr",
-                Success, Not_Started);
-
-         --  Nothing is answered: the robot is lost on the way out
-
-         for Kind in Request_Kind loop
-            if Kind in Close_Line | Reset | Power_Off then
-               S := Opened (Mode);
-               Carry_Out (S, Kind, "----", ".!.~V~v~?!.C",
-                          (Timed_Out, 0, Robot_Lost));
-               Assert (S = State'(others => <>), "closed");
-            end if;
-         end loop;
-      end loop;
-   end Test_Leaving_Unanswered;
-
-   procedure Test_Lost is
-      S : State;
-   begin
-      for Mode in Mode_Kind loop
-         S := Opened (Mode);
-         Carry_Out (S, Ping, "-", "p", Silence);
-         Carry_Out (S, Ping, "-", "~V", Silence);
-         Carry_Out (S, Ping, "-", "~v", Silence);
-         Assert (S.Line_Open and then S.Mode = Mode, "not at the third");
-         Carry_Out (S, Ping, "-", "~?!.C", (Timed_Out, 0, Robot_Lost));
-         Assert (S = State'(others => <>), "at the fourth");
-         Carry_Out (S, Ping, "", "", (Not_Open, 0, Nothing));
-         Carry_Out (S, Open_Line, "", "O!r~Vr", Success);
-
-         --  A success in between, and the count begins again
-
-         S := Opened (Mode);
-         for Round in 1 .. 3 loop
-            Carry_Out (S, Ping, "-", "p", Silence);
-            Carry_Out (S, Ping, "-", "~V", Silence);
-            Carry_Out (S, Ping, "-", "~v", Silence);
-            Carry_Out (S, Ping, "++", "~?p", Success);
-            Assert (S = Opened (Mode), "as good as new");
-         end loop;
-      end loop;
-   end Test_Lost;
-
-   procedure Test_Open is
-      S : State;
-   begin
-      Carry_Out (S, Open_Line, "-", "O", (Not_Opened, 0, Nothing));
-      Assert (not S.Line_Open, "not opened");
-      Carry_Out (S, Open_Line, "+++", "O!r~Vr", Success);
-      Assert (S.Idle, "it has acknowledged the reset");
-      S.Idle := False;
-      Assert (S = Opened (Not_Started), "open, in step");
-      S := (others => <>);
-      Carry_Out (S, Open_Line, "++E", "O!r~Vr", Success);
-      Assert (S = Opened (Not_Started), "the robot did not run");
-
-      --  Its robot may be off: the line is open all the same. One that
-      --  answers late has been reset
-
-      S := (others => <>);
-      Carry_Out (S, Open_Line, "+-", "O!r~V", Success);
-      Assert (S.Line_Open and then S.Mode = Not_Started
-              and then S.Health.Failures = 1,
-              "open, one failure");
-      S := (others => <>);
-      Carry_Out (S, Open_Line, "++-", "O!r~Vr", Success);
-      Assert (S.Line_Open and then S.Mode = Not_Started
-              and then S.Health.Failures = 1,
-              "open, one failure");
-      for Mode in Mode_Kind loop
-         Check (Mode, Open_Line, "", "", Success, Mode);
-      end loop;
-   end Test_Open;
-
-   procedure Test_Probe is
-
-      function Unsure return State is
-         --  Started, one answer missing.
-         Result : State := Opened (Started);
-      begin
-         Result.Health := Robot.Health.After_Failure
-           (Result.Health, Wire.Ping);
-         return Result;
-      end Unsure;
-
-      procedure Check_Unsure
-        (Kind : Request_Kind; Answers, Trace : String; Kept : Ending)
-      is
-         S : State := Unsure;
-      begin
-         Carry_Out (S, Kind, Answers, Trace, Kept);
-      end Check_Unsure;
-
-      S : State := Unsure;
-   begin
-      Carry_Out (S, Drive, "++", "~VT", Success);
-      Assert (S = Opened (Started), "in step");
-      S := Unsure;
-      Carry_Out (S, Drive, "-", "~V", Silence);
-      Assert (S.Health.Failures = 2, "two failures");
-      S := Unsure;
-      Carry_Out (S, Drive, "+-", "~VT", Silence);
-      Assert (S.Health.Failures = 1, "one failure");
-
-      Check_Unsure (Stop, "++", "!.~V.", Success);
-      Check_Unsure (Stop, "-", "!.~V", Silence);
-      Check_Unsure (Stop, "+-", "!.~V.", Silence);
-      Check_Unsure (Close_Line, "++", "!.~V.C", Success);
-      Check_Unsure (Reset, "+++", "!.~V.r", Success);
-   end Test_Probe;
-
-   procedure Test_Queries is
-   begin
-      for Mode in Mode_Kind loop
-         Check (Mode, Ping, "+", "p", Success, Mode);
-         Check (Mode, Ping, "-", "p", Silence, Mode);
-         for Level in 0 .. 2 loop
-            Check (Mode, Get_Battery,
-                   (1 => Character'Val (Character'Pos ('0') + Level)), "v",
-                   (Done, Level, Nothing), Mode);
-         end loop;
-         Check (Mode, Get_Battery, "E", "v", Refusal, Mode);
-         Check (Mode, Get_Version, "+", "V", Success, Mode);
-         Check (Mode, Get_Moving, "0", "b", Success, Mode);
-         Check (Mode, Get_Moving, "1", "b", (Done, 1, Nothing), Mode);
-      end loop;
-   end Test_Queries;
-
-   procedure Test_Reload is
-      With_Watchdog : constant Mode_Kind := Started_With_Watchdog;
-   begin
-      Check (Not_Started, Reload, "", "", Success, Not_Started);
-      Check (Started, Reload, "", "", Success, Started);
-      Check (With_Watchdog, Reload, "+", "w", Success, With_Watchdog);
-      Check (With_Watchdog, Reload, "-", "w", Silence, With_Watchdog);
-
-      --  By hand: the robot answers, unless the periodic one does the work
-
-      Check (With_Watchdog, Reload_By_Hand, "", "", Success, With_Watchdog);
-      Check (Started, Reload_By_Hand, "+", "w", Success, Started);
-      Check (Started, Reload_By_Hand, "E", "w", Refusal, Started);
-      Check (Not_Started, Reload_By_Hand, "E", "w", Refusal, Not_Started);
-   end Test_Reload;
-
-   procedure Test_Reload_Refused is
-      Mode : constant Mode_Kind := Started_With_Watchdog;
-   begin
-      Check (Mode, Reload, "E1", "wb", (Refused, 0, Missed_Window), Mode);
-      Check (Mode, Reload, "E0+", "wb.", (Refused, 0, Missed_Window), Mode);
-      Check (Mode, Reload, "E0E", "wb.", (Refused, 0, Not_Running),
-             Not_Started);
-      Check (Mode, Reload, "EEE", "wb.", (Refused, 0, Not_Running),
-             Not_Started);
-      Check (Mode, Reload, "E-", "wb", (Timed_Out, 0, Missed_Window), Mode);
-      Check (Mode, Reload, "E0-", "wb.", (Timed_Out, 0, Missed_Window), Mode);
-   end Test_Reload_Refused;
-
-   procedure Test_Start is
-   begin
-      for Mode in Mode_Kind loop
-         Check (Mode, Start, "+", "u", Success, Started);
-         Check (Mode, Start_Watchdog, "+", "W", Success,
-                Started_With_Watchdog);
-         Check (Mode, Start, "E", "u", Refusal, Mode);
-         Check (Mode, Start_Watchdog, "E", "W", Refusal, Mode);
-         Check (Mode, Start, "-", "u", Silence, Mode);
-         Check (Mode, Start_Watchdog, "-", "W", Silence, Mode);
-      end loop;
-   end Test_Start;
-
-   procedure Test_Stop is
-      S : State := Opened (Started);
-   begin
-      for Mode in Mode_Kind loop
-         Check (Mode, Stop, "+", ".", Success, Mode);
-         Check (Mode, Stop, "-", ".", Silence, Mode);
-      end loop;
-      Check (Not_Started, Stop, "E", ".", Refusal, Not_Started);
-      for Mode in Started .. Started_With_Watchdog loop
-         --  the first may have been damaged on its way
-         Check (Mode, Stop, "E+", "..", Success, Mode);
-         Check (Mode, Stop, "EE", "..", (Refused, 0, Not_Running),
-                Not_Started);
-         Check (Mode, Stop, "E-", "..", Silence, Mode);
-      end loop;
-      Carry_Out (S, Reset, "++", ".r", Success);
-      Carry_Out (S, Stop, "", "", Refusal);
-      --  it may have heard the start
-      Carry_Out (S, Start, "-", "u", Silence);
-      Carry_Out (S, Stop, "+", "!.~V.", Success);
-   end Test_Stop;
-
 begin
    Run_Test ("a closed line", Test_Closed'Access);
-   Run_Test ("open, then reset", Test_Open'Access);
-   Run_Test ("close", Test_Close'Access);
-   Run_Test ("start", Test_Start'Access);
-   Run_Test ("movements only while started", Test_Drive'Access);
-   Run_Test ("a stop goes out, but to a robot that is known not to run",
-             Test_Stop'Access);
-   Run_Test ("queries", Test_Queries'Access);
-   Run_Test ("a stop on every way out", Test_Leaving'Access);
-   Run_Test ("an unanswered stop on the way out",
-             Test_Leaving_Unanswered'Access);
-   Run_Test ("reload", Test_Reload'Access);
-   Run_Test ("a refused reload: window missed, or not running",
-             Test_Reload_Refused'Access);
-   Run_Test ("keep alive", Test_Keep_Alive'Access);
-   Run_Test ("F8: lost at the fourth failure, not the third",
-             Test_Lost'Access);
-   Run_Test ("out of step: a probe, and a stop before it", Test_Probe'Access);
+   Run_Scripts
+     (Play'Access,
+      --  Its robot may be off: the line is open all the same. One that
+      --  answers late has been reset
+      "open, then reset: @closed Open_Line:-:O:Not_Opened closed"
+      & "@closed Open_Line:+++:O!r~Vr:Done idle new"
+      & "@closed Open_Line:++E:O!r~Vr:Done new"
+      & "@closed Open_Line:+-:O!r~V:Done =Not_Started failures:1"
+      & "@closed Open_Line:++-:O!r~Vr:Done =Not_Started failures:1"
+      & "@any Open_Line:::Done ="
+
+      & "|close, though the stop is refused: @Not_Started Close_Line::C:Done "
+      & "closed@running Close_Line:+:.C:Done closed"
+      & "@running Close_Line:E:.C:Done closed"
+
+      & "|start: @any Start:+:u:Done =Started"
+      & "@any Start_Watchdog:+:W:Done =Started_With_Watchdog"
+      & "@any Start:E:u:Refused = Start_Watchdog:E:W:Refused ="
+      & "@any Start:-:u:Timed_Out =@any Start_Watchdog:-:W:Timed_Out ="
+
+      & "|movements only while started: @Not_Started Drive:::Refused ="
+      & "@running Drive:+:T:Done = Drive:E+:T.:Refused ="
+      & "@running Drive:EE:T.:Refused:Not_Running =Not_Started"
+      & "@running Drive:E-:T.:Timed_Out =@running Drive:-:T:Timed_Out ="
+
+      --  The first may have been damaged on its way; a robot may have heard
+      --  the start that was not answered
+      & "|a stop goes out, but to a robot that is known not to run: "
+      & "@any Stop:+:.:Done =@any Stop:-:.:Timed_Out ="
+      & "@Not_Started Stop:E:.:Refused =@running Stop:E+:..:Done ="
+      & "@running Stop:EE:..:Refused:Not_Running =Not_Started"
+      & "@running Stop:E-:..:Timed_Out ="
+      & "@Started Reset:++:.r:Done Stop:::Refused Start:-:u:Timed_Out "
+      & "Stop:+:!.~V.:Done"
+
+      & "|queries: @any Ping:+:p:Done = Get_Battery:0:v:Done:0 = "
+      & "Get_Battery:1:v:Done:1 = Get_Battery:2:v:Done:2 = "
+      & "Get_Battery:E:v:Refused = Get_Version:+:V:Done = "
+      & "Get_Moving:0:b:Done = Get_Moving:1:b:Done:1 = Ping:-:p:Timed_Out ="
+
+      --  Is the answer of a power off cut off: does the robot still answer?
+      & "|a stop on every way out: @Not_Started Reset:+:r:Done ="
+      & "@Not_Started Power_Off:+:z:Done ="
+      & "@running Reset:++:.r:Done =Not_Started"
+      & "@running Reset:E+:.r:Done =Not_Started"
+      & "@running Reset:+E:.r:Refused =Not_Started"
+      & "@running Reset:+-:.r:Timed_Out ="
+      & "@running Power_Off:++:.z:Done =Not_Started"
+      & "@running Power_Off:+E:.z:Refused ="
+      & "@running Power_Off:+--:.z~V:Done =Not_Started"
+      & "@running Power_Off:+-++:.z~Vz:Done =Not_Started"
+      & "@running Power_Off:+-+-:.z~Vz:Timed_Out ="
+
+      --  The probes are answered, the stops never; or nothing is answered:
+      --  the robot is lost on the way out
+      & "|an unanswered stop on the way out: "
+      & "@running Reset:-+++:.!.~V.r:Done =Not_Started"
+      & "@running Power_Off:--++:.!.~V~v.z:Done =Not_Started"
+      & "@running Reset:-+-+-+-:.!.~V.~V.~V.~Vr:Done =Not_Started"
+      & "@running Close_Line:----:.!.~V~v~?!.C:Timed_Out:Robot_Lost closed"
+      & "@running Reset:----:.!.~V~v~?!.C:Timed_Out:Robot_Lost closed"
+      & "@running Power_Off:----:.!.~V~v~?!.C:Timed_Out:Robot_Lost closed"
+
+      --  By hand the robot answers, unless the periodic one does the work
+      & "|reload: @Not_Started Reload:::Done =@Started Reload:::Done ="
+      & "@Started_With_Watchdog Reload:+:w:Done = Reload:-:w:Timed_Out ="
+      & "@Started_With_Watchdog Reload_By_Hand:::Done ="
+      & "@Started Reload_By_Hand:+:w:Done = Reload_By_Hand:E:w:Refused ="
+      & "@Not_Started Reload_By_Hand:E:w:Refused ="
+
+      & "|a refused reload, window missed, or not running: "
+      & "@Started_With_Watchdog Reload:E1:wb:Refused:Missed_Window ="
+      & "@Started_With_Watchdog Reload:E0+:wb.:Refused:Missed_Window ="
+      & "@Started_With_Watchdog Reload:E0E:wb.:Refused:Not_Running "
+      & "=Not_Started"
+      & "@Started_With_Watchdog Reload:EEE:wb.:Refused:Not_Running "
+      & "=Not_Started"
+      & "@Started_With_Watchdog Reload:E-:wb:Timed_Out:Missed_Window ="
+      & "@Started_With_Watchdog Reload:E0-:wb.:Timed_Out:Missed_Window ="
+
+      & "|keep alive: @any Keep_Alive:+:p:Done = Keep_Alive:-:p:Timed_Out ="
+
+      --  With a success in between the count begins again
+      & "|F8, lost at the fourth failure, not the third: "
+      & "@any Ping:-:p:Timed_Out Ping:-:~V:Timed_Out Ping:-:~v:Timed_Out = "
+      & "Ping:-:~?!.C:Timed_Out:Robot_Lost closed Ping:::Not_Open "
+      & "Open_Line::O!r~Vr:Done@any "
+      & 3 * ("Ping:-:p:Timed_Out Ping:-:~V:Timed_Out Ping:-:~v:Timed_Out "
+             & "Ping:++:~?p:Done new ")
+
+      & "|out of step, a probe, and a stop before it: "
+      & "@unsure Drive:++:~VT:Done new"
+      & "@unsure Drive:-:~V:Timed_Out failures:2"
+      & "@unsure Drive:+-:~VT:Timed_Out failures:1"
+      & "@unsure Stop:++:!.~V.:Done@unsure Stop:-:!.~V:Timed_Out"
+      & "@unsure Stop:+-:!.~V.:Timed_Out"
+      & "@unsure Close_Line:++:!.~V.C:Done@unsure Reset:+++:!.~V.r:Done");
    Run_Test ("every answer to every request", Test_Everything'Access);
 end Robot_Session_Tests;

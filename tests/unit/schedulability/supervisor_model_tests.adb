@@ -89,23 +89,15 @@ procedure Supervisor_Model_Tests is
       end loop;
    end Test_Complete;
 
-   procedure Test_Ceilings is
-   begin
-      Assert (Ceilings_Hold (Of_The_Table), "table");
-      Assert (Ceilings_Hold (Of_The_Report), "report");
-   end Test_Ceilings;
-
-   procedure Test_Here is
+   procedure Test_Deadlines is
       Result : constant Analysis := Analysed;
    begin
+      Assert (Ceilings_Hold (Of_The_Table), "a ceiling of the table");
+      Assert (Ceilings_Hold (Of_The_Report), "a ceiling of the report");
       Assert (Result.Settled, "not settled");
       Assert (All_Met (Result), "a deadline is missed");
-   end Test_Here;
-
-   procedure Test_Cortex is
-   begin
-      Assert (Deadlines_Met (Analysed (Cortex)), "a deadline is missed");
-   end Test_Cortex;
+      Assert (Deadlines_Met (Analysed (Cortex)), "a deadline on the A53");
+   end Test_Deadlines;
 
    procedure Test_Flood is
       Quiet : constant Analysis := Analysed (Cortex);
@@ -219,9 +211,8 @@ procedure Supervisor_Model_Tests is
 
 begin
    Run_Test ("every task of src/tasks is analysed", Test_Complete'Access);
-   Run_Test ("no ceiling below a caller", Test_Ceilings'Access);
-   Run_Test ("every deadline is met", Test_Here'Access);
-   Run_Test ("on a Cortex-A53 too", Test_Cortex'Access);
+   Run_Test ("every deadline is met, on a Cortex-A53 too, and no ceiling is"
+             & " below a caller", Test_Deadlines'Access);
    Run_Test ("a flood of newcomers is borne", Test_Flood'Access);
    Run_Test ("an order follows its image in time", Test_Missions'Access);
    Run_Test ("an order that is late is not sent", Test_Late_Mission'Access);

@@ -27,18 +27,6 @@ procedure Frames_Tests is
       Vision.Frames.Store.Begin_Delivery (Clock);
    end Begin_Anew;
 
-   procedure Check_Newest (Expected : Vision.Slot) is
-      --  Expected holds the newest image; it is released again.
-      Taken : Vision.Slot;
-      Found : Boolean;
-   begin
-      Vision.Frames.Store.Claim_Newest (Taken, Found, Coming);
-      Assert (Found, "an image waits");
-      Assert (Taken = Expected,
-              Expected'Image & " expected, not" & Taken'Image);
-      Vision.Frames.Store.Release (Taken);
-   end Check_Newest;
-
    procedure Check_None is
       --  No image waits.
       Taken : Vision.Slot;
@@ -130,57 +118,42 @@ procedure Frames_Tests is
                 = Vision.Image_Grid.Microseconds'Last, "more than there is");
    end Test_Elapsed;
 
-   procedure Test_Reserve is
-      Begun                : constant Time := Clock;
-      First, Second, Third : Vision.Slot;
-      Slot                 : Vision.Slot;
-      At_Time              : Time;
-      Reserve              : Boolean;
+   procedure Play (Script : String) is
+      --  Its words: "N" is an image that comes N ms after the beginning; "N>M"
+      --  sends at N ms that of M ms, "N>M+" keeps a newer one in reserve; "-"
+      --  none is left
+      Begun   : constant Time := Clock;
+      In_Slot : array (Vision.Slot) of Natural := (others => 0);
+
+      procedure Carry_Out (Word : Line_Vectors.Vector) is
+         Now     : constant Natural := Natural'Value (Word (1));
+         Slot    : Vision.Slot;
+         At_Time : Time;
+         Reserve : Boolean;
+      begin
+         if Word.Last_Index = 1 then
+            Put (Begun + Milliseconds (Now), Slot);
+            In_Slot (Slot) := Now;
+         else
+            Claim_Due (Begun + Milliseconds (Now), Slot, At_Time, Reserve);
+            Assert (In_Slot (Slot)'Image & (if Reserve then "+" else "")
+                    = " " & Word (2)
+                    and then At_Time = Begun + Milliseconds (In_Slot (Slot)),
+                    Now'Image & " sends" & In_Slot (Slot)'Image & " "
+                    & Reserve'Image & ", not " & Word (2) & " in " & Script);
+         end if;
+      end Carry_Out;
+
    begin
       Begin_Anew;
-      Put (Begun, First);
-      Claim_Due (Begun + Milliseconds (50), Slot, At_Time, Reserve);
-      Assert (Slot = First and then At_Time = Begun and then not Reserve,
-              "one that waits alone");
-      Check_None;
-
-      --  the second has just come
-
-      Put (Begun + Milliseconds (100), First);
-      Put (Begun + Milliseconds (195), Second);
-      Claim_Due (Begun + Milliseconds (200), Slot, At_Time, Reserve);
-      Assert (Slot = First and then Reserve
-              and then At_Time = Begun + Milliseconds (100), "the older one");
-      Claim_Due (Begun + Milliseconds (300), Slot, At_Time, Reserve);
-      Assert (Slot = Second and then not Reserve
-              and then At_Time = Begun + Milliseconds (195), "the reserve");
-      Check_None;
-
-      --  the second has been there for a while: the first is left out
-
-      Put (Begun + Milliseconds (300), First);
-      Put (Begun + Milliseconds (380), Second);
-      Claim_Due (Begun + Milliseconds (400), Slot, At_Time, Reserve);
-      Assert (Slot = Second and then not Reserve, "the newer one");
-      Check_None;
-
-      --  of three the oldest is left out in any case
-
-      Put (Begun + Milliseconds (400), Slot);
-      Put (Begun + Milliseconds (448), Second);
-      Put (Begun + Milliseconds (499), Third);
-      Claim_Due (Begun + Milliseconds (500), Slot, At_Time, Reserve);
-      Assert (Slot = Second and then Reserve, "the second of three");
-      Check_Newest (Third);
-
-      --  the third has just come, but a fourth will come in time
-
-      Put (Begun + Milliseconds (549), Second);
-      Put (Begun + Milliseconds (599), Third);
-      Claim_Due (Begun + Milliseconds (600), Slot, At_Time, Reserve);
-      Assert (Slot = Third and then not Reserve, "of a fast source");
-      Check_None;
-   end Test_Reserve;
+      for Word of Split (Script, ' ') loop
+         if Word = "-" then
+            Check_None;
+         else
+            Carry_Out (Split (Word, '>'));
+         end if;
+      end loop;
+   end Play;
 
    procedure Test_Wait is
       Begun   : constant Time := Clock;
@@ -250,7 +223,15 @@ begin
    Run_Test ("a delivery that ends drops what waits", Test_End'Access);
    Run_Test ("every slot in its turn", Test_In_Turn'Access);
    Run_Test ("when the last image came", Test_Times'Access);
-   Run_Test ("what has just come is kept in reserve", Test_Reserve'Access);
+   Run_Scripts
+     (Play'Access,
+      "one that waits alone: 0 50>0 -"
+      & "|what has just come is kept in reserve: 100 195 200>100+ 300>195 -"
+      & "|what has been there for a while is not: 300 380 400>380 -"
+      --  of three the oldest is left out in any case
+      & "|the second of three: 400 448 499 500>448+ 600>499 -"
+      --  the third has just come, but a fourth will come in time
+      & "|of a fast source: 499 549 599 600>599 -");
    Run_Test ("who waits for an image is told of what ends it",
              Test_Wait'Access);
    Run_Test ("times between images", Test_Elapsed'Access);

@@ -166,115 +166,105 @@ procedure Image_Grid_Tests is
         Between (Positive (0.99 * Long_Float (Between.Last_Index)));
    end Run;
 
-   procedure Test_Fast is
-      Rates  : constant array (Positive range <>) of Long_Float :=
-        (10.0, 10.001, 10.1, 10.3, 10.7, 11.0, 12.0, 15.0, 25.0, 29.97,
-         30.0, 60.0);
+   type Rates is array (Positive range <>) of Long_Float;
+
+   procedure Check
+     (From     : Source;
+      Mean     : Long_Float;
+      Within   : Long_Float;
+      Off_99   : Long_Float := Long_Float'Last;
+      Oldest   : Long_Float := Long_Float'Last;
+      Left_Out : Natural    := Natural'Last)
+   is
+      --  Its mean rate, and at most the other figures, in each phase
       Result : Figures;
    begin
-      for Rate of Rates loop
-         for Phase of Phases loop
-            Run (Even (Rate), Phase, Result);
-            Assert (abs (Result.Mean_Rate - 10.0) < 0.02
-                    and then Result.Off_99 < 12.0
-                    and then Result.Oldest < 1_000.0 / Rate
-                      + (if Rate > 20.0 then 2.0 else 14.0),
-                    Rate'Image & " a second, phase" & Phase'Image & ":"
-                    & Image (Result));
-         end loop;
+      for Phase of Phases loop
+         Run (From, Phase, Result);
+         Assert (abs (Result.Mean_Rate - Mean) < Within
+                 and then Result.Off_99 < Off_99
+                 and then Result.Oldest < Oldest
+                 and then Result.Left_Out <= Left_Out,
+                 From.First_Rate'Image & " a second, jitter"
+                 & From.Jitter'Image & ", phase" & Phase'Image & ":"
+                 & Image (Result));
+      end loop;
+   end Check;
+
+   procedure Test_Fast is
+   begin
+      for Rate of Rates'(10.0, 10.001, 10.1, 10.3, 10.7, 11.0, 12.0, 15.0,
+                         25.0, 29.97, 30.0, 60.0)
+      loop
+         Check (Even (Rate), 10.0, 0.02, 12.0,
+                1_000.0 / Rate + (if Rate > 20.0 then 2.0 else 14.0));
       end loop;
    end Test_Fast;
 
    procedure Test_Slow is
-      Rates  : constant array (Positive range <>) of Long_Float :=
-        (1.0, 5.0, 7.5, 9.0, 9.9, 9.99);
-      Result : Figures;
    begin
-      for Rate of Rates loop
-         for Phase of Phases loop
-            Run (Even (Rate), Phase, Result);
-            Assert (abs (Result.Mean_Rate - Rate) < 0.002 * Rate
-                    and then Result.Left_Out = 0
-                    and then Result.Off_99 < 2.0
-                    and then Result.Oldest < 2.0,
-                    Rate'Image & " a second, phase" & Phase'Image & ":"
-                    & Image (Result));
-         end loop;
+      for Rate of Rates'(1.0, 5.0, 7.5, 9.0, 9.9, 9.99) loop
+         Check (Even (Rate), Rate, 0.002 * Rate, 2.0, 2.0, Left_Out => 0);
       end loop;
    end Test_Slow;
 
    procedure Test_Jitter is
       Jitter : constant := 30.0;
-      Rates  : constant array (Positive range <>) of Long_Float :=
-        (5.0, 7.5, 9.9, 10.0, 10.1, 12.0, 15.0, 25.0, 29.97, 30.0, 60.0);
-      Result : Figures;
-      Wanted : Long_Float;
    begin
-      for Rate of Rates loop
-         for Phase of Phases loop
-            Run (Even (Rate, Jitter), Phase, Result);
-            Wanted := Long_Float'Min (10.0, Rate);
-            Assert
-              (abs (Result.Mean_Rate - Wanted) < 0.005 * Wanted
-               and then (Rate > 10.0 or else Result.Left_Out = 0)
-               and then (Rate < 10.0 or else Result.Off_99 < 20.0)
-               and then Result.Oldest < 1_000.0 / Rate + 2.0 * Jitter + 14.0,
-               Rate'Image & " a second, phase" & Phase'Image & ":"
-               & Image (Result));
-         end loop;
+      for Rate of Rates'(5.0, 7.5, 9.9, 10.0, 10.1, 12.0, 15.0, 25.0, 29.97,
+                         30.0, 60.0)
+      loop
+         Check (Even (Rate, Jitter),
+                Mean     => Long_Float'Min (10.0, Rate),
+                Within   => 0.005 * Long_Float'Min (10.0, Rate),
+                Off_99   => (if Rate < 10.0 then Long_Float'Last else 20.0),
+                Oldest   => 1_000.0 / Rate + 2.0 * Jitter + 14.0,
+                Left_Out => (if Rate > 10.0 then Natural'Last else 0));
       end loop;
    end Test_Jitter;
 
    procedure Test_Drift is
-      Result : Figures;
    begin
-      for Phase of Phases loop
-         Run ((10.05, 9.95, 0.0), Phase, Result);
-         Assert (abs (Result.Mean_Rate - 9.9875) < 0.02
-                 and then Result.Off_99 < 5.0,
-                 "slower, phase" & Phase'Image & ":" & Image (Result));
-         Run ((9.95, 10.05, 5.0), Phase, Result);
-         Assert (abs (Result.Mean_Rate - 9.9875) < 0.02
-                 and then Result.Off_99 < 12.0,
-                 "faster, phase" & Phase'Image & ":" & Image (Result));
-      end loop;
+      Check ((10.05, 9.95, 0.0), 9.9875, 0.02, Off_99 => 5.0);
+      Check ((9.95, 10.05, 5.0), 9.9875, 0.02, Off_99 => 12.0);
    end Test_Drift;
 
    procedure Test_Step is
-      Grid   : Vision.Image_Grid.State := Initial;
-      Length : Vision.Image_Grid.Microseconds;
+      Grid : Vision.Image_Grid.State := Initial;
+
+      procedure Expect
+        (Age, Length : Vision.Image_Grid.Microseconds;
+         What        : String;
+         Has_Reserve : Boolean := False)
+      is
+         Found : Vision.Image_Grid.Microseconds;
+      begin
+         Step (Grid, Age, Has_Reserve, Period, Found);
+         Assert (Found = Length, What & Found'Image);
+      end Expect;
+
    begin
       Wait_Ended (Grid, 15_000, Period);
       Assert (Grid.Lost = 0, "the wait for the first image");
-      Step (Grid, 0, False, Period, Length);
-      Assert (Length = Period, "nothing is lost");
-      Step (Grid, 0, True, Period, Length);
-      Assert (Length = Period, "nothing is lost, though there is more");
+      Expect (0, Period, "nothing is lost");
+      Expect (0, Period, "nothing is lost, though there is more", True);
       Wait_Ended (Grid, 15_000, Period);
-      Step (Grid, 0, False, Period, Length);
-      Assert (Length = Period, "as good as it gets");
-      Step (Grid, 99_000, True, Period, Length);
-      Assert (Length = 90_000, "a tenth of a period");
-      Step (Grid, 99_000, True, Period, Length);
-      Assert (Length = 95_000, "the rest");
-      Step (Grid, 99_000, True, Period, Length);
-      Assert (Length = Period, "all has been made up for");
+      Expect (0, Period, "as good as it gets");
+      Expect (99_000, 90_000, "a tenth of a period", True);
+      Expect (99_000, 95_000, "the rest", True);
+      Expect (99_000, Period, "all has been made up for", True);
 
       Wait_Ended (Grid, Vision.Image_Grid.Microseconds'Last, Period);
       Assert (Grid.Lost = Most_Lost (Period), "so much at most");
       for Image in 1 .. Enough_Early - 1 loop
-         Step (Grid, 20_000, False, Period, Length);
-         Assert (Length = Period, "may be chance");
+         Expect (20_000, Period, "may be chance");
       end loop;
-      Step (Grid, 19_000, False, Period, Length);
-      Assert (Length = Period, "it was");
+      Expect (19_000, Period, "it was");
       for Image in 1 .. Enough_Early - 1 loop
-         Step (Grid, 20_000, False, Period, Length);
+         Expect (20_000, Period, "again, it may be");
       end loop;
-      Step (Grid, 20_000, False, Period, Length);
-      Assert (Length = 90_000, "it is none");
-      Step (Grid, 19_000, False, Period, Length);
-      Assert (Length = Period, "that is all");
+      Expect (20_000, 90_000, "it is none");
+      Expect (19_000, Period, "that is all");
       Assert (Grid.Lost = Most_Lost (Period) - 10_000,
               "the rest is not forgotten");
    end Test_Step;

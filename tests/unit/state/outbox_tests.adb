@@ -103,22 +103,8 @@ procedure Outbox_Tests is
       Monitor.Outbox.Answer (Item, Monitor.Protocol.Refused);
    end Test_Hold;
 
-   procedure Test_Arena is
-      Item : Order;
-   begin
-      Begin_Anew;
-      for Turn in 1 .. 3 loop
-         Put_Picture ("CIMG:periodic");
-         Monitor.Outbox.Reserve (Item);
-         Fill ("CIMG:arena");
-         Monitor.Outbox.Answer_With_Image (Item, Made_Here);
-         Assert (not Item.Owed, "answered");
-         Check (Monitor.Mailboxes.Answer, "CIMG:arena");
-         Check (Image, "CIMG:periodic");
-      end loop;
-   end Test_Arena;
-
    procedure Test_Images is
+      Item  : Order;
       Known : Monitor.Mailboxes.Status;
    begin
       Begin_Anew;
@@ -128,6 +114,15 @@ procedure Outbox_Tests is
          Check (Image, "CIMG:second");
          Check (Nothing);
       end loop;
+      for Turn in 1 .. 3 loop
+         Put_Picture ("CIMG:periodic");
+         Monitor.Outbox.Reserve (Item);
+         Fill ("CIMG:arena");
+         Monitor.Outbox.Answer_With_Image (Item, Made_Here);
+         Assert (not Item.Owed, "answered");
+         Check (Monitor.Mailboxes.Answer, "CIMG:arena");
+         Check (Image, "CIMG:periodic");
+      end loop;
       Monitor.Outbox.Get (Known);
       Monitor.Outbox.Stop_Images;
       Fill ("CIMG:late");
@@ -135,68 +130,8 @@ procedure Outbox_Tests is
       Check (Nothing);
    end Test_Images;
 
-   procedure Test_Mission is
-
-      procedure Check_Line (Kind : Monitor.Mailboxes.Choice; Text : String) is
-         --  The next message
-         Next : Monitor.Mailboxes.Item;
-      begin
-         Monitor.Outbox.Wait (Hold_End);
-         Monitor.Outbox.Take (20, Time_First, Next, Sent_Here);
-         Hold_End := Next.Hold_End;
-         Assert (Next.Kind = Kind, Next.Kind'Image & " taken");
-         Assert (Next.Line.Data (1 .. Next.Line.Length)
-                 = Text & Monitor.Protocol.Line_Feed,
-                 Next.Line.Data (1 .. Next.Line.Length));
-      end Check_Line;
-
-      procedure Check_Waits (Expected : Boolean) is
-         --  An end waits
-         Known : Monitor.Mailboxes.Status;
-      begin
-         Monitor.Outbox.Get (Known);
-         Assert (Known.End_Waits = Expected,
-                 "an end waits: " & Known.End_Waits'Image);
-      end Check_Waits;
-
-      Item : Order;
-
-      procedure Put (Kind : Monitor.Mailboxes.Notice_Kind; Text : String) is
-         --  Of the mission that Item has asked for
-      begin
-         Monitor.Outbox.Put
-           ((Kind, Short (Text), Number => Item.Number, others => <>));
-      end Put;
-
-   begin
-      Begin_Anew;
-      Monitor.Outbox.Reserve (Item);
-      Monitor.Outbox.Answer (Item, Acknowledged);
-      Check (Monitor.Mailboxes.Answer);
-      Put (Monitor.Mailboxes.Progress, "MPRG:2;5;310");
-      Check_Line (Progress, "MPRG:2;5;310");
-      Check_Waits (False);
-      Put (Monitor.Mailboxes.Progress, "MPRG:5;5;12");
-      Put (Monitor.Mailboxes.Ending, "MEND:done");
-      Check_Waits (True);
-      Check_Line (Ending, "MEND:done");
-      Check_Waits (False);
-      Check (Nothing);
-
-      --  not sent before the session ended
-
-      Put (Monitor.Mailboxes.Ending, "MEND:done");
-      Begin_Anew;
-      Check_Waits (False);
-      Put (Monitor.Mailboxes.Ending, "MEND:done");
-      Check_Waits (False);
-      Check (Nothing);
-   end Test_Mission;
-
 begin
-   Run_Test ("images go round", Test_Images'Access);
-   Run_Test ("an answer that is an image", Test_Arena'Access);
+   Run_Test ("images go round, also as an answer", Test_Images'Access);
    Run_Test ("answers, and who waits", Test_Answers'Access);
    Run_Test ("the end of the hold", Test_Hold'Access);
-   Run_Test ("a mission's messages", Test_Mission'Access);
 end Outbox_Tests;

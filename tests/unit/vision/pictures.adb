@@ -48,59 +48,6 @@ package body Pictures is
       Load (Width, Height, Slot);
    end Show_Plain;
 
-   procedure Lay
-     (Scene         : Scenes.Description;
-      Width, Height : double;
-      Turn          : double;
-      Level         : Grey)
-   is
-      --  A sheet onto the canvas
-      use Ada.Numerics.Long_Elementary_Functions;
-      Cosine : constant double := double (Cos (Long_Float (Turn), 360.0));
-      Sine   : constant double := double (Sin (Long_Float (Turn), 360.0));
-      U, V   : double;
-      Place  : int := 0;
-   begin
-      for Row in 0 .. Scene.Height - 1 loop
-         for Column in 0 .. Scene.Width - 1 loop
-            U := double (Column) - double (Scene.Width) / 2.0;
-            V := double (Row) - double (Scene.Height) / 2.0;
-            if abs (U * Cosine + V * Sine) <= Width / 2.0
-              and then abs (V * Cosine - U * Sine) <= Height / 2.0
-            then
-               Canvas (Place .. Place + 2) := (others => Level);
-            end if;
-            Place := Place + 3;
-         end loop;
-      end loop;
-   end Lay;
-
-   procedure Show_Sheet
-     (Scene         : Scenes.Description;
-      Width, Height : double;
-      Turn          : double;
-      Level         : Grey) is
-   begin
-      Draw (Scene);
-      Lay (Scene, Width, Height, Turn, Level);
-      Load (Scene.Width, Scene.Height, 0);
-   end Show_Sheet;
-
-   procedure Show_Frame
-     (Scene         : Scenes.Description;
-      Width, Height : double;
-      Turn          : double;
-      Level         : Grey;
-      Border        : double;
-      Border_Level  : Grey) is
-   begin
-      Draw (Scene);
-      Lay (Scene, Width + 2.0 * Border, Height + 2.0 * Border, Turn,
-           Border_Level);
-      Lay (Scene, Width, Height, Turn, Level);
-      Load (Scene.Width, Scene.Height, 0);
-   end Show_Frame;
-
    procedure Show_Changed
      (Scene  : Scenes.Description;
       Change : not null access function
@@ -125,6 +72,48 @@ package body Pictures is
       end loop;
       Load (Scene.Width, Scene.Height, 0);
    end Show_Changed;
+
+   procedure Show_Frame
+     (Scene         : Scenes.Description;
+      Width, Height : double;
+      Turn          : double;
+      Level         : Grey;
+      Border        : double;
+      Border_Level  : Grey)
+   is
+      use Ada.Numerics.Long_Elementary_Functions;
+      Cosine : constant Long_Float := Cos (Long_Float (Turn), 360.0);
+      Sine   : constant Long_Float := Sin (Long_Float (Turn), 360.0);
+
+      function Is_In (X, Y : Long_Float; Rim : double) return Boolean is
+        (abs (X * Cosine + Y * Sine) <= Long_Float (Width / 2.0 + Rim)
+         and then abs (Y * Cosine - X * Sine)
+           <= Long_Float (Height / 2.0 + Rim));
+      --  From the middle of the image
+
+      function Change (X, Y : Long_Float; Here : Long_Float)
+        return Long_Float
+      is
+         U : constant Long_Float := X - Long_Float (Scene.Width) / 2.0;
+         V : constant Long_Float := Y - Long_Float (Scene.Height) / 2.0;
+      begin
+         return (if Is_In (U, V, 0.0) then Long_Float (Level)
+                 elsif Is_In (U, V, Border) then Long_Float (Border_Level)
+                 else Here);
+      end Change;
+
+   begin
+      Show_Changed (Scene, Change'Access);
+   end Show_Frame;
+
+   procedure Show_Sheet
+     (Scene         : Scenes.Description;
+      Width, Height : double;
+      Turn          : double;
+      Level         : Grey) is
+   begin
+      Show_Frame (Scene, Width, Height, Turn, Level, 0.0, Level);
+   end Show_Sheet;
 
    procedure Show_Aslant (Scene : Scenes.Description; G, H : Long_Float) is
       Last     : constant int := Scene.Width * Scene.Height * 3 - 1;

@@ -15,13 +15,12 @@ package Pictures is
    procedure Show_Plain (Width, Height : int; Level : Grey; Slot : int := 0);
    --  One grey level all over
 
-   procedure Show_Sheet
-     (Scene         : Scenes.Description;
-      Width, Height : double;
-      Turn          : double;
-      Level         : Grey);
-   --  Scene with a sheet of one grey level in its middle, Width x Height
-   --  pixels, turned by Turn degrees; into slot 0
+   procedure Show_Changed
+     (Scene  : Scenes.Description;
+      Change : not null access function
+        (X, Y : Long_Float; Level : Long_Float) return Long_Float);
+   --  Scene with each grey level as Change makes it of that at (X, Y); into
+   --  slot 0
 
    procedure Show_Frame
      (Scene         : Scenes.Description;
@@ -30,14 +29,16 @@ package Pictures is
       Level         : Grey;
       Border        : double;
       Border_Level  : Grey);
-   --  The same sheet in a border that is Border pixels wide
+   --  Scene with a sheet of one grey level in its middle, Width x Height
+   --  pixels, turned by Turn degrees, in a border that is Border pixels wide;
+   --  into slot 0
 
-   procedure Show_Changed
-     (Scene  : Scenes.Description;
-      Change : not null access function
-        (X, Y : Long_Float; Level : Long_Float) return Long_Float);
-   --  Scene with each grey level as Change makes it of that at (X, Y); into
-   --  slot 0
+   procedure Show_Sheet
+     (Scene         : Scenes.Description;
+      Width, Height : double;
+      Turn          : double;
+      Level         : Grey);
+   --  The same sheet without a border
 
    procedure Show_Page (Text : String; Scale : Positive);
    --  The rectangles of an SVG page in mm, Scale pixels each, into slot 0.

@@ -2,6 +2,7 @@
 --  The search for the arena: under every disturbance, and where is none.
 
 with Ada.Numerics.Long_Elementary_Functions;
+use Ada.Numerics.Long_Elementary_Functions;
 
 with Interfaces.C; use Interfaces.C;
 
@@ -15,58 +16,68 @@ procedure Vision_Arena_Tests is
    Tolerance : constant := 2.0;
    --  Pixels, of every corner
 
+   type Ratios is array (Positive range <>) of double;
+
+   procedure Check_Corner (Found, Truth : Point; What : String) is
+      Distance : constant Long_Float := Sqrt
+        (Long_Float ((Found.X - Truth.X) ** 2 + (Found.Y - Truth.Y) ** 2));
+   begin
+      Assert (Distance < Tolerance, What & " is off by" & Distance'Image);
+   end Check_Corner;
+
    procedure Check_Found
-     (Scene : Scenes.Description; What : String; Quarters : Natural := 0)
+     (Scene    : Scenes.Description;
+      What     : String;
+      Quarters : Natural  := 0;
+      Seed     : unsigned := Scenes.Default.Seed)
    is
       --  The arena is found, each corner where it is; Quarters turns clockwise
       --  the field's own top left corner comes before that of the image
-      use Ada.Numerics.Long_Elementary_Functions;
-      Found    : aliased Arena;
-      Truth    : Scenes.Corner_Coordinates;
-      Distance : Long_Float;
+      Seeded : Scenes.Description := Scene;
+      Found  : aliased Arena;
+      Truth  : Scenes.Corner_Coordinates;
+      Place  : Natural;
    begin
-      Pictures.Show (Scene);
-      Assert (Scenes.Arena_Truth (Scene, Truth) = 0, "truth");
+      Seeded.Seed := Seed;
+      Pictures.Show (Seeded);
+      Assert (Scenes.Arena_Truth (Seeded, Truth) = 0, "truth");
       Assert (Find_Arena (0, Found'Access) = Ok, What & ": found");
-      for K in 0 .. 3 loop
-         declare
-            Place : constant Natural := 2 * ((K + Quarters) mod 4);
-         begin
-            Distance := Sqrt
-              (Long_Float ((Found.Corner (K).X - Truth (Place)) ** 2
-               + (Found.Corner (K).Y - Truth (Place + 1)) ** 2));
-         end;
-         Assert (Distance < Tolerance,
-                 What & ": corner" & K'Image & " is off by"
-                 & Distance'Image);
+      for K in Found.Corner'Range loop
+         Place := 2 * ((K + Quarters) mod 4);
+         Check_Corner (Found.Corner (K), (Truth (Place), Truth (Place + 1)),
+                       What & ": corner" & K'Image);
       end loop;
    end Check_Found;
+
+   function Floor (Noise : double; Uneven : double := 0.0)
+     return Scenes.Description is
+   begin
+      return Scene : Scenes.Description :=
+        Disturbed (Noise => Noise, Uneven => Uneven)
+      do
+         Scene.Arena := 0;
+      end return;
+   end Floor;
 
    procedure Check_Frame
      (Width : double; Border : double; Turn : double; What : String;
       Level : Pictures.Grey := 120; Border_Level : Pictures.Grey := 235)
    is
       --  The same of a field that Show_Frame draws
-      use Ada.Numerics.Long_Elementary_Functions;
-      Floor : Scenes.Description := Disturbed (Noise => 2.0);
-      Found : aliased Arena;
-      Side  : constant array (0 .. 3) of double := (-0.5, 0.5, 0.5, -0.5);
-      Down  : constant array (0 .. 3) of double := (-0.5, -0.5, 0.5, 0.5);
+      Found  : aliased Arena;
       Cosine : constant double := double (Cos (Long_Float (Turn), 360.0));
       Sine   : constant double := double (Sin (Long_Float (Turn), 360.0));
-      Height : constant double := 0.75 * Width;
       X, Y   : double;
    begin
-      Floor.Arena := 0;
-      Pictures.Show_Frame
-        (Floor, Width, Height, Turn, Level, Border, Border_Level);
+      Pictures.Show_Frame (Floor (Noise => 2.0), Width, 0.75 * Width, Turn,
+                           Level, Border, Border_Level);
       Assert (Find_Arena (0, Found'Access) = Ok, What & ": found");
-      for K in 0 .. 3 loop
-         X := 320.0 + Side (K) * Width * Cosine - Down (K) * Height * Sine;
-         Y := 240.0 + Side (K) * Width * Sine + Down (K) * Height * Cosine;
-         Assert (abs (Found.Corner (K).X - X) < Tolerance
-                   and then abs (Found.Corner (K).Y - Y) < Tolerance,
-                 What & ": corner" & K'Image);
+      for K in Found.Corner'Range loop
+         X := (if K = 1 or else K = 2 then 0.5 else -0.5) * Width;
+         Y := (if K >= 2 then 0.375 else -0.375) * Width;
+         Check_Corner (Found.Corner (K), (320.0 + X * Cosine - Y * Sine,
+                                          240.0 + X * Sine + Y * Cosine),
+                       What & ": corner" & K'Image);
       end loop;
    end Check_Frame;
 
@@ -78,19 +89,11 @@ procedure Vision_Arena_Tests is
    end Check_None;
 
    procedure Test_Disturbed is
-
-      procedure Try (Scene : Scenes.Description; Seed : Natural; What : String)
-      is
-         Seeded : Scenes.Description := Scene;
-      begin
-         Seeded.Seed := unsigned (Seed);
-         Check_Found (Seeded, What);
-      end Try;
-
    begin
       Check_Found (Scenes.Default, "plain");
       for K in 1 .. 10 loop
-         Try (Disturbed (Noise => 15.0), K, "noise" & K'Image);
+         Check_Found (Disturbed (Noise => 15.0), "noise" & K'Image,
+                      Seed => unsigned (K));
       end loop;
       for K in 1 .. 3 loop
          Check_Found (Disturbed (Blur => double (K)), "blur" & K'Image);
@@ -102,8 +105,9 @@ procedure Vision_Arena_Tests is
       for K in -10 .. 10 loop
          Check_Found (Disturbed (Turn => double (K)), "turned by" & K'Image);
          if K mod 2 = 0 then
-            Try (Disturbed (double (K), 15.0, 2.0, 0.5), 10 + K / 2,
-                 "all at once, turned by" & K'Image);
+            Check_Found (Disturbed (double (K), 15.0, 2.0, 0.5),
+                         "all at once, turned by" & K'Image,
+                         Seed => unsigned (10 + K / 2));
          end if;
       end loop;
    end Test_Disturbed;
@@ -121,22 +125,18 @@ procedure Vision_Arena_Tests is
       Scene : Scenes.Description := Scenes.Default;
    begin
       Scene.Fill := 0.6;
-      for Step in -3 .. 3 loop
-         Scene.Turn := 10.0 * double (Step);
-         Check_Found (Scene, "turned by" & Integer'Image (10 * Step));
-         Scene.Turn := 90.0 + 10.0 * double (Step);
-         Check_Found (Scene, "turned by" & Integer'Image (90 + 10 * Step),
-                      Quarters => 3);
-         Scene.Turn := -90.0 + 10.0 * double (Step);
-         Check_Found (Scene, "turned by" & Integer'Image (-90 + 10 * Step),
-                      Quarters => 1);
+      for Quarter in -1 .. 1 loop
+         for Step in -3 .. 3 loop
+            Scene.Turn := double (90 * Quarter + 10 * Step);
+            Check_Found (Scene, "turned by" & Scene.Turn'Image,
+                         Quarters => (-Quarter) mod 4);
+         end loop;
       end loop;
    end Test_Upright;
 
    procedure Test_Borders is
-      type Shares is array (Positive range <>) of double;
    begin
-      for Share of Shares'(0.005, 0.01, 0.02, 0.03, 0.05, 0.075, 0.1) loop
+      for Share of Ratios'(0.005, 0.01, 0.02, 0.03, 0.05, 0.075, 0.1) loop
          for Turn in -1 .. 1 loop
             Check_Frame (480.0, 480.0 * Share, 7.0 * double (Turn),
                          "a border of" & Share'Image & " of the field");
@@ -183,22 +183,21 @@ procedure Vision_Arena_Tests is
 
    procedure Test_Robots_At_Border is
       Scene : Scenes.Description;
+      Along : double;
    begin
       for Hard in Boolean loop
-         Scene := (if Hard
-                   then Disturbed (Turn => 8.0, Noise => 15.0, Blur => 2.0,
-                                   Uneven => 0.5)
+         Scene := (if Hard then Disturbed (8.0, 15.0, 2.0, 0.5)
                    else Disturbed (Noise => 4.0));
          Scene.Robots := 2;
          for Marker in int range 0 .. 1 loop
             for Step in 0 .. 8 loop
-               Scene.Robot (0) := (Marker, 3, double (Step) * 10.0, 0.0, 15.0);
-               Scene.Robot (1) :=
-                 (Marker, 4, 80.0 - double (Step) * 10.0, 60.0, 100.0);
+               Along := 10.0 * double (Step);
+               Scene.Robot (0) := (Marker, 3, Along, 0.0, 15.0);
+               Scene.Robot (1) := (Marker, 4, 80.0 - Along, 60.0, 100.0);
                Check_Found (Scene, "bottom and top" & Step'Image);
-               Scene.Robot (0) := (Marker, 3, 0.0, double (Step) * 7.5, 0.0);
-               Scene.Robot (1) :=
-                 (Marker, 4, 80.0, 60.0 - double (Step) * 7.5, 45.0);
+               Along := 7.5 * double (Step);
+               Scene.Robot (0) := (Marker, 3, 0.0, Along, 0.0);
+               Scene.Robot (1) := (Marker, 4, 80.0, 60.0 - Along, 45.0);
                Check_Found (Scene, "left and right" & Step'Image);
             end loop;
          end loop;
@@ -206,12 +205,9 @@ procedure Vision_Arena_Tests is
    end Test_Robots_At_Border;
 
    procedure Test_Floor is
-      Scene : Scenes.Description;
    begin
       for Noise in 0 .. 6 loop
-         Scene := Disturbed (Noise => 5.0 * double (Noise), Uneven => 0.4);
-         Scene.Arena := 0;
-         Pictures.Show (Scene);
+         Pictures.Show (Floor (5.0 * double (Noise), Uneven => 0.4));
          Check_None ("floor, noise" & Noise'Image);
       end loop;
       for Level in 0 .. 2 loop
@@ -221,9 +217,8 @@ procedure Vision_Arena_Tests is
    end Test_Floor;
 
    procedure Test_Noise_Alone is
-      Scene : Scenes.Description := Disturbed (Noise => 30.0);
+      Scene : Scenes.Description := Floor (Noise => 30.0);
    begin
-      Scene.Arena := 0;
       for Seed in unsigned range 1 .. 5 loop
          Scene.Seed := Seed;
          Pictures.Show_Sheet (Scene, 900.0, 900.0, 0.0, 120);
@@ -234,25 +229,21 @@ procedure Vision_Arena_Tests is
    end Test_Noise_Alone;
 
    procedure Test_Paper is
-      type Levels is array (Positive range <>) of Pictures.Grey;
-      type Ratios is array (Positive range <>) of double;
-      Floor : Scenes.Description := Disturbed (Noise => 4.0);
+      procedure Check
+        (Width, Height, Turn : double; Level : Pictures.Grey; What : String) is
+      begin
+         Pictures.Show_Sheet (Floor (4.0), Width, Height, Turn, Level);
+         Check_None (What & Level'Image);
+      end Check;
    begin
-      Floor.Arena := 0;
       for Turn in -2 .. 2 loop
-         Pictures.Show_Sheet (Floor, 420.0, 297.0, 5.0 * double (Turn), 235);
-         Check_None ("a sheet of paper");
-         for Level of Levels'(235, 120) loop
-            Pictures.Show_Sheet
-              (Floor, 480.0, 360.0, 5.0 * double (Turn), Level);
-            Check_None ("a 4:3 rectangle without border," & Level'Image);
-         end loop;
+         Check (420.0, 297.0, 5.0 * double (Turn), 235, "a sheet of paper");
+         Check (480.0, 360.0, 5.0 * double (Turn), 235, "4:3, no border");
+         Check (480.0, 360.0, 5.0 * double (Turn), 120, "4:3, no border");
       end loop;
-      Floor := Disturbed (Noise => 2.0);
-      Floor.Arena := 0;
       for Ratio of Ratios'(1.0, 1.15, 1.5, 1.78) loop
          for Turn in -1 .. 1 loop
-            Pictures.Show_Frame (Floor, 300.0 * Ratio, 300.0,
+            Pictures.Show_Frame (Floor (2.0), 300.0 * Ratio, 300.0,
                                  6.0 * double (Turn), 120, 12.0, 235);
             Check_None ("a frame of" & Ratio'Image & " to 1");
          end loop;
@@ -260,9 +251,8 @@ procedure Vision_Arena_Tests is
    end Test_Paper;
 
    procedure Test_Robots_Alone is
-      Scene : Scenes.Description := Disturbed (Noise => 4.0);
+      Scene : Scenes.Description := Floor (Noise => 4.0);
    begin
-      Scene.Arena := 0;
       for Marker in int range 0 .. 1 loop
          for Count in int range 1 .. 4 loop
             Scene.Robots := Count;

@@ -11,7 +11,9 @@ package Vision_C is
      (Ok, Not_Found, No_Camera, No_Image, Too_Small, Bad_Argument, Failed)
    with Convention => C;
 
-   type Marker is (Aruco, Triangle) with Convention => C;
+   type Any_Marker is (Aruco, Triangle, No_Such_Marker) with Convention => C;
+
+   subtype Marker is Any_Marker range Aruco .. Triangle;
 
    type Point is record
       X, Y : double := 0.0;
@@ -54,7 +56,7 @@ package Vision_C is
 
    function Find_Robots
      (Slot     : int;
-      Kind     : Marker;
+      Kind     : Any_Marker;
       Inside   : access constant Arena;
       Robots   : System.Address;
       Capacity : int;
@@ -62,18 +64,6 @@ package Vision_C is
       Areas    : System.Address := System.Null_Address;
       Number   : int := 0) return Status
    with Import, Convention => C, External_Name => "vision_find_robots";
-
-   function Find_Robots_Of_Kind
-     (Slot     : int;
-      Kind     : int;
-      Inside   : access constant Arena;
-      Robots   : System.Address;
-      Capacity : int;
-      Count    : access int;
-      Areas    : System.Address := System.Null_Address;
-      Number   : int := 0) return Status
-   with Import, Convention => C, External_Name => "vision_find_robots";
-   --  For markers that there are none of
 
    function Draw_Arena
      (Slot : int; Item : access constant Arena) return Status

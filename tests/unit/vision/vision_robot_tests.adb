@@ -84,6 +84,15 @@ procedure Vision_Robot_Tests is
           then Scene.Robot (Integer (N)).Id else 0), What & ": identifier");
    end Check;
 
+   procedure Check_One
+     (Scene : Scenes.Description; Kind : Marker; What : String) is
+      --  Draws Scene into slot 0: its only robot is found
+   begin
+      Search (Scene, Kind, What);
+      Assert (Count = 1, What & ": one");
+      Check (Scene, 0, What);
+   end Check_One;
+
    procedure Check_Headings (Scene : Scenes.Description; What : String) is
       --  Both markers in Scene at every heading
       Here : Scenes.Description := Scene;
@@ -98,11 +107,8 @@ procedure Vision_Robot_Tests is
                12.0 + double (Step * 7 mod 24) * 1.57,
                15.0 * double (Step));
             Here.Seed := unsigned (Step + 1);
-            Search (Here, Kind, What & Step'Image);
-            Assert (Count = 1, What & ": one");
-            Check (Here, 0,
-                   What & ", " & Kind'Image & " at"
-                   & Integer'Image (15 * Step));
+            Check_One (Here, Kind, What & ", " & Kind'Image & " at"
+                       & Integer'Image (15 * Step));
          end loop;
       end loop;
    end Check_Headings;
@@ -152,26 +158,18 @@ procedure Vision_Robot_Tests is
                Scene.Width := P (1);
                Scene.Height := P (2);
                Scene.Noise := 4.0;
-               Search (Scene, Kind, P (1)'Image);
-               Check (Scene, 0, P (1)'Image & " wide, " & Kind'Image);
+               Check_One (Scene, Kind, P (1)'Image & " wide, " & Kind'Image);
             end loop;
          end loop;
       end loop;
+      for Step in int range 0 .. 27 loop
+         Check_One (Pictures.Scene_With
+                      (0, Step * 37, 40.3, 30.2, double (Step) * 13.0), Aruco,
+                    "identifier" & int'Image (37 * Step));
+      end loop;
    end Test_Resolutions;
 
-   procedure Test_Identifiers is
-      Scene : Scenes.Description;
-   begin
-      for Step in int range 0 .. 27 loop
-         Scene := Pictures.Scene_With
-           (0, Step * 37, 40.3, 30.2, double (Step) * 13.0);
-         Search (Scene, Aruco, "identifier" & int'Image (37 * Step));
-         Assert (Count = 1, "one");
-         Check (Scene, 0, "identifier" & int'Image (37 * Step));
-      end loop;
-   end Test_Identifiers;
-
-   procedure Test_Two_Robots is
+   procedure Test_Several is
       Scene : Scenes.Description := Scenes.Default;
    begin
       Scene.Robots := 2;
@@ -185,12 +183,11 @@ procedure Vision_Robot_Tests is
          Check (Scene, 1, "second");
          Assert (Found (0).Id <= Found (1).Id, "lowest first");
       end loop;
-   end Test_Two_Robots;
 
-   procedure Test_Capacity is
-      Scene : Scenes.Description := Scenes.Default;
-   begin
+      --  More than fit
+
       Scene.Robots := 4;
+      Scene.Noise := 0.0;
       Scene.Robot :=
         ((0, 40, 20.0, 20.0, 33.0), (0, 30, 60.0, 20.0, 1.0),
          (0, 10, 20.0, 45.0, 90.0), (0, 20, 60.0, 45.0, 200.0));
@@ -205,7 +202,7 @@ procedure Vision_Robot_Tests is
                     "the lowest, and none behind");
          end loop;
       end loop;
-   end Test_Capacity;
+   end Test_Several;
 
    procedure Test_Positions_In_Arena is
       Field  : aliased Arena;
@@ -222,9 +219,7 @@ procedure Vision_Robot_Tests is
                   20.0 * double (Row), 23.0 * double (5 * Row + Column));
                Scene.Turn := 3.0;
                Scene.Noise := 4.0;
-               Search (Scene, Kind, "whole image");
-               Assert (Count = 1, "one");
-               Check (Scene, 0, "whole image");
+               Check_One (Scene, Kind, "whole image");
                Assert (Find_Arena (0, Field'Access) = Ok, "arena");
                Assert (Find_Robots (0, Kind, Field'Access, Inside'Address, 8,
                                     Number'Access) = Ok
@@ -241,53 +236,42 @@ procedure Vision_Robot_Tests is
    end Test_Positions_In_Arena;
 
    procedure Test_Outside_Arena is
-      Left_Half : aliased constant Arena :=
-        (Corner => ((67.0, 50.0), (320.0, 50.0), (320.0, 430.0),
-                    (67.0, 430.0)));
-      Scene     : Scenes.Description := Scenes.Default;
+      Fields : constant array (1 .. 5) of Corners :=
+        (((67.0, 50.0), (320.0, 50.0), (320.0, 430.0), (67.0, 430.0)),
+         (others => (0.0, 0.0)),
+         (others => (320.0, 240.0)),
+         ((9_000.0, 9_000.0), (9_900.0, 9_000.0), (9_900.0, 9_900.0),
+          (9_000.0, 9_900.0)),
+         ((-900.0, -900.0), (-100.0, -900.0), (-100.0, -100.0),
+          (-900.0, -100.0)));
+      --  The left half, and those that have no inside there
+      Scene : Scenes.Description := Scenes.Default;
+      Field : aliased Arena;
    begin
-      Scene.Robots := 2;
       for Kind in Marker loop
-         Scene.Robot (0) := (Marker'Pos (Kind), 5, 44.0, 20.0, 33.0);
          Scene.Robot (1) := (Marker'Pos (Kind), 6, 20.0, 30.0, 33.0);
-         Pictures.Show (Scene);
-         Assert (Find (Kind, Left_Half'Access) = Ok
-                 and then Count = 1, "only the one inside");
+         for K in reverse Fields'Range loop
+            Scene.Robots := 2;
+            Scene.Robot (0) := (Marker'Pos (Kind), 5,
+                                (if K = 1 then 44.0 else 40.0), 30.0, 33.0);
+            Field.Corner := Fields (K);
+            Pictures.Show (Scene);
+            Assert (Find (Kind, Field'Access)
+                    = (if K = 1 then Ok else Not_Found)
+                    and then Count = Boolean'Pos (K = 1),
+                    Kind'Image & Count'Image & " inside of" & K'Image);
+         end loop;
          Check (Scene, 1, "the one inside");
          Scene.Robots := 1;
          Pictures.Show (Scene);
-         Assert (Find (Kind, Left_Half'Access) = Not_Found
-                 and then Count = 0, "none inside");
-         Scene.Robots := 2;
+         Assert (Find (Kind, Field'Access) = Not_Found
+                 and then Count = 0, "none inside of the left half");
       end loop;
-   end Test_Outside_Arena;
-
-   procedure Test_Strange_Arenas is
-      type Arenas is array (Positive range <>) of aliased Arena;
-      Strange : constant Arenas :=
-        (1 => (Corner => (others => (0.0, 0.0))),
-         2 => (Corner => (others => (320.0, 240.0))),
-         3 => (Corner => ((9_000.0, 9_000.0), (9_900.0, 9_000.0),
-                          (9_900.0, 9_900.0), (9_000.0, 9_900.0))),
-         4 => (Corner => ((-900.0, -900.0), (-100.0, -900.0),
-                          (-100.0, -100.0), (-900.0, -100.0))));
-      Around  : aliased constant Arena :=
-        (Corner => ((-9.0E5, -9.0E5), (9.0E5, -9.0E5), (9.0E5, 9.0E5),
-                    (-9.0E5, 9.0E5)));
-   begin
+      Field.Corner := ((-9.0E5, -9.0E5), (9.0E5, -9.0E5), (9.0E5, 9.0E5),
+                       (-9.0E5, 9.0E5));
       Pictures.Show (Pictures.Scene_With (0, 5, 40.0, 30.0, 10.0));
-      for Kind in Marker loop
-         for A of Strange loop
-            declare
-               Field : aliased constant Arena := A;
-            begin
-               Assert (Find (Kind, Field'Access) = Not_Found,
-                       "nothing in an arena without inside");
-            end;
-         end loop;
-      end loop;
-      Assert (Find (Aruco, Around'Access) = Ok, "a huge arena");
-   end Test_Strange_Arenas;
+      Assert (Find (Aruco, Field'Access) = Ok, "a huge arena");
+   end Test_Outside_Arena;
 
    procedure Test_None is
       Scene : Scenes.Description := Scenes.Default;
@@ -333,47 +317,48 @@ procedure Vision_Robot_Tests is
    type Disturbance is (Faint, Glare, Dark_Blot, Bright_Blot, Narrow_Margin);
 
    procedure Test_Disturbed is
-   begin
-      for Kind in Disturbance loop
-         for Step in 0 .. 11 loop
-            declare
-               What  : constant String := Kind'Image & Step'Image;
-               P     : constant Place := Marker_At (Step);
-               Where : constant Long_Float :=
-                 -1.5 + 3.0 * Long_Float (Step) / 11.0;
+      Kind  : Disturbance;
+      Where : Long_Float;
+      P     : Place;
 
-               function Change (X, Y : Long_Float; Level : Long_Float)
-                 return Long_Float
-               is
-                  U : constant Long_Float := Along (P, X, Y);
-                  V : constant Long_Float := Across (P, X, Y);
-               begin
-                  case Kind is
-                     when Faint =>
-                        --  22 grey levels from black to white
-                        return 90.0 + 22.0 * Level / 255.0;
-                     when Glare =>
-                        --  A streak, two modules wide, over the middle
-                        return 0.55 * Level
-                          + 65.0 * Exp (-0.5 * ((U + V) / 1.4) ** 2
-                                        - 0.5 * (U / 5.0) ** 2);
-                     when Dark_Blot | Bright_Blot =>
-                        --  Over a side
-                        return
-                          (if (U - 3.0) ** 2 + (V - Where) ** 2 >= 0.6 ** 2
-                           then Level
-                           elsif Kind = Bright_Blot then 230.0 else 30.0);
-                     when Narrow_Margin =>
-                        --  Cut to 0.4 modules, on a dark robot
-                        return (if Long_Float'Max (abs U, abs V) in 3.4 .. 6.0
-                                then 40.0 else Level);
-                  end case;
-               end Change;
-            begin
-               Pictures.Show_Changed (P.Scene, Change'Access);
-               Assert (Find (Aruco) = Ok and then Count = 1, What & ": found");
-               Check (P.Scene, 0, What);
-            end;
+      function Change (X, Y : Long_Float; Level : Long_Float)
+        return Long_Float
+      is
+         U : constant Long_Float := Along (P, X, Y);
+         V : constant Long_Float := Across (P, X, Y);
+      begin
+         case Kind is
+            when Faint =>
+               --  22 grey levels from black to white
+               return 90.0 + 22.0 * Level / 255.0;
+            when Glare =>
+               --  A streak, two modules wide, over the middle
+               return 0.55 * Level
+                 + 65.0 * Exp (-0.5 * ((U + V) / 1.4) ** 2
+                               - 0.5 * (U / 5.0) ** 2);
+            when Dark_Blot | Bright_Blot =>
+               --  Over a side
+               return
+                 (if (U - 3.0) ** 2 + (V - Where) ** 2 >= 0.6 ** 2
+                  then Level
+                  elsif Kind = Bright_Blot then 230.0 else 30.0);
+            when Narrow_Margin =>
+               --  Cut to 0.4 modules, on a dark robot
+               return (if Long_Float'Max (abs U, abs V) in 3.4 .. 6.0
+                       then 40.0 else Level);
+         end case;
+      end Change;
+
+   begin
+      for Next_Kind in Disturbance loop
+         for Step in 0 .. 11 loop
+            Kind := Next_Kind;
+            P := Marker_At (Step);
+            Where := -1.5 + 3.0 * Long_Float (Step) / 11.0;
+            Pictures.Show_Changed (P.Scene, Change'Access);
+            Assert (Find (Aruco) = Ok and then Count = 1,
+                    Kind'Image & Step'Image & ": found");
+            Check (P.Scene, 0, Kind'Image & Step'Image);
          end loop;
       end loop;
    end Test_Disturbed;
@@ -381,6 +366,22 @@ procedure Vision_Robot_Tests is
    procedure Test_Aslant is
       Scene          : Scenes.Description;
       Cx, Cy, Dx, Dy : double;
+      G, H           : Long_Float;
+
+      function Seen (Ahead, Right : double) return Point is
+         --  Where what lies so is seen, in lengths of the robot
+         X     : constant double :=
+           Cx - 959.5 + Ahead * (Dx - Cx) - Right * (Dy - Cy);
+         Y     : constant double :=
+           Cy - 539.5 + Ahead * (Dy - Cy) + Right * (Dx - Cx);
+         Depth : constant double := 1.0 + double (G) * X + double (H) * Y;
+      begin
+         return (959.5 + X / Depth, 539.5 + Y / Depth);
+      end Seen;
+
+      function Between (P, Q : Point) return Point is
+        (((P.X + Q.X) / 2.0, (P.Y + Q.Y) / 2.0));
+
    begin
       for Step in 0 .. 11 loop
          Scene := Pictures.Scene_With (0, int (83 * Step), 40.0, 30.0,
@@ -388,178 +389,132 @@ procedure Vision_Robot_Tests is
          Scene.Width := 1_920;
          Scene.Height := 1_080;
          Assert (Scenes.Robot_Truth (Scene, 0, Cx, Cy, Dx, Dy) = 0, "truth");
-         declare
-            G : constant Long_Float := 8.0E-4 * Cos (Long_Float (Step));
-            H : constant Long_Float := 8.0E-4 * Sin (Long_Float (Step));
-            Ahead_X : constant Long_Float := Long_Float (Dx - Cx);
-            Ahead_Y : constant Long_Float := Long_Float (Dy - Cy);
+         G := 8.0E-4 * Cos (Long_Float (Step));
+         H := 8.0E-4 * Sin (Long_Float (Step));
+         Pictures.Show_Aslant (Scene, G, H);
+         Assert (Find (Aruco) = Ok
+                 and then Count = 1 and then Found (0).Id = int (83 * Step),
+                 "aslant," & Step'Image);
 
-            --  Where the corner is seen that lies so
-            function Depth (X, Y : Long_Float) return Long_Float is
-              (1.0 + G * X + H * Y);
-            function From_X (Ahead, Right : Long_Float) return Long_Float is
-              (Long_Float (Cx) - 959.5 + Ahead * Ahead_X - Right * Ahead_Y);
-            function From_Y (Ahead, Right : Long_Float) return Long_Float is
-              (Long_Float (Cy) - 539.5 + Ahead * Ahead_Y + Right * Ahead_X);
-            function Seen_X (Ahead, Right : Long_Float) return Long_Float is
-              (959.5 + From_X (Ahead, Right)
-               / Depth (From_X (Ahead, Right), From_Y (Ahead, Right)));
-            function Seen_Y (Ahead, Right : Long_Float) return Long_Float is
-              (539.5 + From_Y (Ahead, Right)
-               / Depth (From_X (Ahead, Right), From_Y (Ahead, Right)));
-            --  The middle between its first and third corner
-            True_X : constant Long_Float :=
-              (Seen_X (1.0, -1.0) + Seen_X (-1.0, 1.0)) / 2.0;
-            True_Y : constant Long_Float :=
-              (Seen_Y (1.0, -1.0) + Seen_Y (-1.0, 1.0)) / 2.0;
-            Front_X : constant Long_Float :=
-              (Seen_X (1.0, -1.0) + Seen_X (1.0, 1.0)) / 2.0;
-            Front_Y : constant Long_Float :=
-              (Seen_Y (1.0, -1.0) + Seen_Y (1.0, 1.0)) / 2.0;
-         begin
-            Pictures.Show_Aslant (Scene, G, H);
-            Assert (Find (Aruco) = Ok
-                    and then Count = 1 and then Found (0).Id = int (83 * Step),
-                    "aslant," & Step'Image);
-            Assert (Away (Found (0).Centre, (double (True_X), double (True_Y)))
-                    < 0.5, "its centre," & Step'Image);
-            Assert (Away (Found (0).Direction,
-                          (double (Front_X), double (Front_Y))) < 0.7,
-                    "its direction," & Step'Image);
-         end;
+         --  The middle between its first and third corner
+
+         Assert (Away (Found (0).Centre,
+                       Between (Seen (1.0, -1.0), Seen (-1.0, 1.0))) < 0.5,
+                 "its centre," & Step'Image);
+         Assert (Away (Found (0).Direction,
+                       Between (Seen (1.0, -1.0), Seen (1.0, 1.0))) < 0.7,
+                 "its direction," & Step'Image);
       end loop;
    end Test_Aslant;
 
    procedure Test_Doubtful is
-      Result : Status;
-   begin
       --  One module that is covered: named rightly or not at all
-      for Step in 0 .. 5 loop
-         for Module in 0 .. 15 loop
-            for Level in 0 .. 3 loop
-               declare
-                  P : constant Place := Marker_At (Step);
+      P      : Place;
+      Module : Natural;
+      Cover  : Long_Float;
 
-                  function Cover (X, Y : Long_Float; Level_Here : Long_Float)
-                    return Long_Float
-                  is (if abs (Along (P, X, Y)
-                              - Long_Float (Module / 4) + 1.5) < 0.5
-                        and then
-                          abs (Across (P, X, Y)
-                               - Long_Float (Module mod 4) + 1.5) < 0.5
-                      then 20.0 + 70.0 * Long_Float (Level) else Level_Here);
-               begin
-                  Pictures.Show_Changed (P.Scene, Cover'Access);
-                  Result := Find (Aruco);
-                  Assert (Result = Not_Found
-                          or else (Count = 1
-                                   and then Found (0).Id = int (83 * Step)),
-                          "identifier with module" & Module'Image
-                          & " covered," & Step'Image);
-               end;
-            end loop;
+      function Change (X, Y : Long_Float; Level : Long_Float)
+        return Long_Float
+      is (if abs (Along (P, X, Y) - Long_Float (Module / 4) + 1.5) < 0.5
+            and then
+              abs (Across (P, X, Y) - Long_Float (Module mod 4) + 1.5) < 0.5
+          then Cover else Level);
+
+   begin
+      for Step in 0 .. 5 loop
+         P := Marker_At (Step);
+         for Number in 0 .. 63 loop
+            Module := Number / 4;
+            Cover := 20.0 + 70.0 * Long_Float (Number mod 4);
+            Pictures.Show_Changed (P.Scene, Change'Access);
+            Assert (Find (Aruco) = Not_Found
+                    or else (Count = 1
+                             and then Found (0).Id = int (83 * Step)),
+                    "identifier with module" & Module'Image & " covered,"
+                    & Step'Image);
          end loop;
       end loop;
    end Test_Doubtful;
 
-   --  White things with three corners, from the middle of the image: where
-   --  (X, Y) lies ahead of it and aside, at each of twelve headings
-
-   Middle_X : constant := 320.0;
-   Middle_Y : constant := 240.0;
-
-   function Heading (Step : Natural) return Long_Float is
-     (31.0 * Long_Float (Step));  --  degrees
-
-   function Ahead (Step : Natural; X, Y : Long_Float) return Long_Float is
-     ((X - Middle_X) * Cos (Heading (Step), 360.0)
-      + (Y - Middle_Y) * Sin (Heading (Step), 360.0));
-   function Aside (Step : Natural; X, Y : Long_Float) return Long_Float is
-     ((Y - Middle_Y) * Cos (Heading (Step), 360.0)
-      - (X - Middle_X) * Sin (Heading (Step), 360.0));
+   function In_The_Middle (Step : Natural) return Place is
+     (Scenes.Default, 320.0, 240.0,
+      320.0 + 3.0 * Cos (31.0 * Long_Float (Step), 360.0),
+      240.0 + 3.0 * Sin (31.0 * Long_Float (Step), 360.0));
+   --  Of the image, where pixels are modules, at each of twelve headings
 
    function Blend (Under, Over, Depth : Long_Float) return Long_Float is
      (Under + (Over - Under)
               * Long_Float'Max (0.0, Long_Float'Min (1.0, 0.5 + Depth)));
    --  A pixel on an edge shows both
 
-   procedure Test_Triangle_On_Bright is
+   procedure Test_White_Shapes is
+      --  With three corners: a triangle on something bright, and set squares,
+      --  more and more aslant
+      P    : Place;
+      Tip  : Long_Float;
+      U, V : Long_Float;
+
+      function Marker (X, Y : Long_Float; Ignored : Long_Float)
+        return Long_Float
+      is
+         pragma Unreferenced (Ignored);
+         U    : constant Long_Float := Along (P, X, Y);
+         V    : constant Long_Float := abs Across (P, X, Y);
+         Side : constant Long_Float := 0.954 * (0.3125 * (24.0 - U) - V);
+      begin
+         return Blend (Blend (40.0, 110.0,
+                              Long_Float'Min (36.0 - abs U, 30.0 - V)),
+                       230.0, Long_Float'Min (U + 14.0, Side));
+      end Marker;
+
+      function Set_Square (X, Y : Long_Float; Ignored : Long_Float)
+        return Long_Float
+      is
+         pragma Unreferenced (Ignored);
+         U    : constant Long_Float := Along (P, X, Y) + 24.0;
+         V    : constant Long_Float := Across (P, X, Y) + 18.0;
+         Long : constant Long_Float := V - Tip * U / 64.0;
+         Side : constant Long_Float :=
+           0.88 * (37.0 - (37.0 - Tip) * U / 64.0 - V);
+      begin
+         return Blend (40.0, 230.0,
+                       Long_Float'Min (U, Long_Float'Min (Long, Side)));
+      end Set_Square;
+
    begin
       for Step in 0 .. 11 loop
-         declare
-            function Change (X, Y : Long_Float; Level : Long_Float)
-              return Long_Float
-            is
-               pragma Unreferenced (Level);
-               U    : constant Long_Float := Ahead (Step, X, Y);
-               V    : constant Long_Float := abs Aside (Step, X, Y);
-               Side : constant Long_Float := 0.954 * (0.3125 * (24.0 - U) - V);
-            begin
-               return Blend (Blend (40.0, 110.0,
-                                    Long_Float'Min (36.0 - abs U, 30.0 - V)),
-                             230.0, Long_Float'Min (U + 14.0, Side));
-            end Change;
-         begin
-            Pictures.Show_Changed (Scenes.Default, Change'Access);
-            Assert (Find (Triangle) = Ok and then Count = 1,
-                    "found" & Step'Image);
-            declare
-               X : constant Long_Float := Long_Float (Found (0).Direction.X);
-               Y : constant Long_Float := Long_Float (Found (0).Direction.Y);
-            begin
-               Assert (abs (Ahead (Step, X, Y) - 24.0) < Position_Tolerance
-                       and then abs Aside (Step, X, Y) < Position_Tolerance,
-                       "tip" & Step'Image);
-            end;
-         end;
-      end loop;
-   end Test_Triangle_On_Bright;
-
-   procedure Test_Set_Square is
-   begin
-      for Step in 0 .. 11 loop
-         for Lean in 0 .. 2 loop  --  more and more aslant
-            declare
-               Tip : constant Long_Float := 2.0 * Long_Float (Lean);
-
-               function Change (X, Y : Long_Float; Level : Long_Float)
-                 return Long_Float
-               is
-                  pragma Unreferenced (Level);
-                  U    : constant Long_Float := Ahead (Step, X, Y) + 24.0;
-                  V    : constant Long_Float := Aside (Step, X, Y) + 18.0;
-                  Long : constant Long_Float := V - Tip * U / 64.0;
-                  Side : constant Long_Float :=
-                    0.88 * (37.0 - (37.0 - Tip) * U / 64.0 - V);
-               begin
-                  return Blend (40.0, 230.0,
-                                Long_Float'Min
-                                  (U, Long_Float'Min (Long, Side)));
-               end Change;
-            begin
-               Pictures.Show_Changed (Scenes.Default, Change'Access);
-               Assert (Find (Triangle) = Not_Found,
-                       "a set square" & Step'Image & Lean'Image);
-            end;
+         P := In_The_Middle (Step);
+         Pictures.Show_Changed (P.Scene, Marker'Access);
+         Assert (Find (Triangle) = Ok and then Count = 1,
+                 "found" & Step'Image);
+         U := Along (P, Long_Float (Found (0).Direction.X),
+                     Long_Float (Found (0).Direction.Y));
+         V := Across (P, Long_Float (Found (0).Direction.X),
+                      Long_Float (Found (0).Direction.Y));
+         Assert (abs (U - 24.0) < Position_Tolerance
+                 and then abs V < Position_Tolerance, "tip" & Step'Image);
+         for Lean in 0 .. 2 loop
+            Tip := 2.0 * Long_Float (Lean);
+            Pictures.Show_Changed (P.Scene, Set_Square'Access);
+            Assert (Find (Triangle) = Not_Found,
+                    "a set square" & Step'Image & Lean'Image);
          end loop;
       end loop;
-   end Test_Set_Square;
+   end Test_White_Shapes;
 
 begin
    Run_Test ("every heading", Test_Headings'Access);
    Run_Test ("an upright marker", Test_Upright'Access);
-   Run_Test ("resolutions", Test_Resolutions'Access);
-   Run_Test ("identifiers", Test_Identifiers'Access);
-   Run_Test ("two robots", Test_Two_Robots'Access);
-   Run_Test ("more than fit", Test_Capacity'Access);
+   Run_Test ("resolutions and identifiers", Test_Resolutions'Access);
+   Run_Test ("two robots, and more than fit", Test_Several'Access);
    Run_Test ("the same with and without the arena",
              Test_Positions_In_Arena'Access);
-   Run_Test ("outside the arena", Test_Outside_Arena'Access);
-   Run_Test ("strange arenas", Test_Strange_Arenas'Access);
+   Run_Test ("outside the arena, strange arenas",
+             Test_Outside_Arena'Access);
    Run_Test ("no robot", Test_None'Access);
    Run_Test ("faint, glare, blots, a narrow margin", Test_Disturbed'Access);
    Run_Test ("seen from close and aslant", Test_Aslant'Access);
    Run_Test ("one of its modules covered", Test_Doubtful'Access);
-   Run_Test ("a triangle on something bright", Test_Triangle_On_Bright'Access);
-   Run_Test ("a set square is no robot", Test_Set_Square'Access);
+   Run_Test ("a triangle on something bright, but no set square",
+             Test_White_Shapes'Access);
 end Vision_Robot_Tests;

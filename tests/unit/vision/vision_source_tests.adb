@@ -15,6 +15,21 @@ with Unit_Runs; use Unit_Runs;
 
 procedure Vision_Source_Tests is
 
+   procedure Open (Path : String; Width, Height : int; Keep : Boolean := False)
+   is
+      --  Removes the file afterwards, unless it is to Keep
+   begin
+      Assert (Open (To_C (Path), Width, Height, 10) = Ok, "open " & Path);
+      if not Keep then
+         Pictures.Remove (Path);
+      end if;
+   end Open;
+
+   procedure Close is
+   begin
+      Assert (Close = Ok, "close");
+   end Close;
+
    procedure Check_Pace (Images : Positive; Rate : Positive; What : String) is
       --  So many images of the open source take as long as Rate a second says:
       --  never less, and not more, at one time at least
@@ -54,8 +69,7 @@ procedure Vision_Source_Tests is
       Found : aliased Arena;
    begin
       Pictures.Save (Scenes.Default, Path);
-      Assert (Open (To_C (Path), 640, 480, 10) = Ok, "open");
-      Pictures.Remove (Path);
+      Open (Path, 640, 480);
       Check_Pace (10, 25, "still image");
       Pictures.Check_Size (0, 640, 480, "still image");
       Assert (Find_Arena (0, Found'Access) = Ok, "the image of the file");
@@ -64,19 +78,10 @@ procedure Vision_Source_Tests is
       Assert (Draw_Arena (3, Found'Access) = Ok, "draw");
       Assert (Grab (3) = Ok and then Find_Arena (3, Found'Access) = Ok,
               "a drawing does not stay");
-      Assert (Close = Ok, "close");
-   end Test_Still;
-
-   procedure Test_Still_After_Delay is
-      Path : constant String := Pictures.Temporary ("still.ppm");
-   begin
-      Pictures.Save_Plain (64, 48, Path);
-      Assert (Open (To_C (Path), 64, 48, 10) = Ok, "open");
-      Pictures.Remove (Path);
       delay 0.4;
       Check_Pace (10, 25, "what was missed is not made up for");
-      Assert (Close = Ok, "close");
-   end Test_Still_After_Delay;
+      Close;
+   end Test_Still;
 
    procedure Test_Video is
       Path    : constant String := Pictures.Temporary ("loop.avi");
@@ -85,7 +90,7 @@ procedure Vision_Source_Tests is
       Gap     : Duration := Duration'Last;
    begin
       Pictures.Save_Video (Scenes.Default, 5, 20, Path);
-      Assert (Open (To_C (Path), 640, 480, 10) = Ok, "open");
+      Open (Path, 640, 480, Keep => True);
       Check_Pace (18, 20, "three times round and a half");
       Pictures.Check_Size (0, 640, 480, "video");
 
@@ -101,7 +106,7 @@ procedure Vision_Source_Tests is
          Gap := Duration'Min (Gap, Longest);
       end loop;
       Assert (Gap < 0.06, "a gap of" & Gap'Image & " s at the end");
-      Assert (Close = Ok, "close");
+      Close;
       Pictures.Remove (Path);
    end Test_Video;
 
@@ -109,12 +114,12 @@ procedure Vision_Source_Tests is
       Path : constant String := Pictures.Temporary ("one.avi");
    begin
       Pictures.Save_Video (Scenes.Default, 1, 25, Path);
-      Assert (Open (To_C (Path), 320, 480, 10) = Ok, "open");
+      Open (Path, 320, 480, Keep => True);
       Check_Pace (5, 25, "one image");
       Pictures.Check_Size (0, 320, 240, "scaled");
       Pictures.Remove (Path);
       Assert (Grab (0) = No_Image, "the file is gone");
-      Assert (Close = Ok, "close");
+      Close;
    end Test_Video_Of_One_Image;
 
    procedure Test_Scaling is
@@ -124,8 +129,7 @@ procedure Vision_Source_Tests is
          Path : constant String := Pictures.Temporary ("size.ppm");
       begin
          Pictures.Save_Plain (From_W, From_H, Path);
-         Assert (Open (To_C (Path), 640, 480, 10) = Ok, "open");
-         Pictures.Remove (Path);
+         Open (Path, 640, 480);
          Assert (Grab (0) = Ok, "grab");
          Pictures.Check_Size
            (0, To_W, To_H, From_W'Image & " x" & From_H'Image);
@@ -139,23 +143,8 @@ procedure Vision_Source_Tests is
       Check (1, 1, 480, 480);
       Check (3_000, 2, 640, 1);
       Check (2, 3_000, 1, 480);
-      Assert (Close = Ok, "close");
+      Close;
    end Test_Scaling;
-
-   procedure Test_Close is
-      Path : constant String := Pictures.Temporary ("close.ppm");
-   begin
-      Pictures.Save_Plain (64, 48, Path);
-      for Round in 1 .. 20 loop
-         Assert (Open (To_C (Path), 64, 48, 10) = Ok, "open" & Round'Image);
-         Assert (Grab (0) = Ok, "grab");
-         Assert (Close = Ok, "close");
-         Assert (Grab (0) = No_Camera, "closed");
-         Assert (Close = Ok, "close what is closed");
-      end loop;
-      Pictures.Check_Size (0, 64, 48, "the last image stays");
-      Pictures.Remove (Path);
-   end Test_Close;
 
    procedure Test_Reopen is
       One : constant String := Pictures.Temporary ("one.ppm");
@@ -163,15 +152,21 @@ procedure Vision_Source_Tests is
    begin
       Pictures.Save_Plain (64, 48, One);
       Pictures.Save_Plain (48, 64, Two);
-      Assert (Open (To_C (One), 64, 64, 10) = Ok, "the first");
-      Assert (Open (To_C (Two), 64, 64, 10) = Ok, "the second");
+      for Round in 1 .. 20 loop
+         Open (One, 64, 64, Keep => True);
+         Assert (Grab (0) = Ok, "grab" & Round'Image);
+         Close;
+         Assert (Grab (0) = No_Camera, "closed");
+         Close;
+      end loop;
+      Pictures.Check_Size (0, 64, 48, "the last image stays");
+      Open (One, 64, 64);
+      Open (Two, 64, 64);
       Assert (Grab (0) = Ok, "grab");
       Pictures.Check_Size (0, 48, 64, "the second");
       Assert (Open (To_C ("/no/such/file"), 64, 64, 10) = No_Camera,
               "the third is refused");
       Assert (Grab (0) = No_Camera, "and the second closed");
-      Pictures.Remove (One);
-      Pictures.Remove (Two);
    end Test_Reopen;
 
    procedure Test_Refused_Files is
@@ -374,14 +369,12 @@ procedure Vision_Source_Tests is
    end Test_Causes_Of_Pipelines;
 
 begin
-   Run_Test ("a still image", Test_Still'Access);
-   Run_Test ("the pace after a delay", Test_Still_After_Delay'Access);
+   Run_Test ("a still image, also after a delay", Test_Still'Access);
    Run_Test ("a video, looped and paced", Test_Video'Access);
    Run_Test ("a video of one image, and its loss",
              Test_Video_Of_One_Image'Access);
    Run_Test ("scaling", Test_Scaling'Access);
-   Run_Test ("closing", Test_Close'Access);
-   Run_Test ("opening what is open", Test_Reopen'Access);
+   Run_Test ("closing, and opening what is open", Test_Reopen'Access);
    Run_Test ("no files, cameras, streams", Test_Refused_Names'Access);
    Run_Test ("broken files", Test_Refused_Files'Access);
    Run_Test ("the cause: streams", Test_Causes_Of_Streams'Access);
