@@ -160,12 +160,12 @@ package body Both_Ends is
       Time := Now;
       if Last <= 0 then
          Disconnect (Where);
-         S.Messages.Append (Event'(Time, Time, To_Unbounded_String (Gone), 0));
+         S.Messages.Append (Event'(Time, Time, To_Unbounded_String (Gone)));
          return;
       end if;
       if not S.By_Lines then
          S.Messages.Append
-           (Event'(Time, Time, To_Unbounded_String ("data"), Natural (Last)));
+           (Event'(Time, Time, To_Unbounded_String ("data")));
          return;
       end if;
       while Next <= Natural (Last) loop
@@ -181,8 +181,6 @@ package body Both_Ends is
               (S.Message.Text,
                Natural'Min (Label_Size, Length (S.Message.Text)));
          end if;
-         S.Message.Size := S.Message.Size
-           + (if Stop = 0 then Natural (Last) else Stop) - Next + 1;
          exit when Stop = 0;
          S.Message.Ended := Time;
          S.Messages.Append (S.Message);
@@ -246,17 +244,23 @@ package body Both_Ends is
       end loop;
    end Await_Message;
 
+   function Begun_At (Where : Place; Frame : String) return Instant is
+      --  When it came to the robot; Never before
+   begin
+      for Item of States (Where).Frames loop
+         if Item.Text = Frame then
+            return Item.Begun;
+         end if;
+      end loop;
+      return Never;
+   end Begun_At;
+
    procedure Await_Frame (Where : Place; Text : String; Time : out Instant) is
-      S        : State renames States (Where);
       End_Time : constant Instant := Now + 2.0;
    begin
       loop
-         for Item of S.Frames loop
-            if Item.Text = Text then
-               Time := Item.Begun;
-               return;
-            end if;
-         end loop;
+         Time := Begun_At (Where, Text);
+         exit when Time /= Never;
          Check (Now < End_Time, "no " & Text & " on the line");
          Look (End_Time);
       end loop;
@@ -272,17 +276,6 @@ package body Both_Ends is
       Begun : Instant;
 
       Patience : constant Duration := 1.0;
-
-      function Seen_At return Instant is
-         --  When the order came to the robot; Never before
-      begin
-         for Item of S.Frames loop
-            if Item.Text = Frame then
-               return Item.Begun;
-            end if;
-         end loop;
-         return Never;
-      end Seen_At;
 
       function Answer return Event is
          --  What came to the monitor; its times are Never before
@@ -303,13 +296,14 @@ package body Both_Ends is
       Set_Unanswered (Where, Frame);
       Begun := Now;
       Write (S.Socket, Command);
-      while Seen_At = Never and then Answer.Ended = Never
+      while Begun_At (Where, Frame) = Never and then Answer.Ended = Never
         and then Now - Begun < Patience
       loop
          Look (Begun + Patience);
       end loop;
-      Result.Order := Seen_At - Begun;
-      Result.Clean := Seen_At /= Never and then S.Frames.Last_Index = 1;
+      Result.Order := Begun_At (Where, Frame) - Begun;
+      Result.Clean :=
+        Begun_At (Where, Frame) /= Never and then S.Frames.Last_Index = 1;
       Serve (0.001);
       Begun := Now;
       Write (Master (Where), Framed ("O"));

@@ -23,16 +23,12 @@ package Both_Ends is
    --  To 127.0.0.1. By_Lines: messages are the supervisor's; otherwise all
    --  that comes at once is one
 
-   procedure Disconnect (Where : Place);
-
    procedure Close_All;
 
    type Event is record
       Begun, Ended : Instant := Never;
       --  when its first byte and its last were read
       Text         : Unbounded_String;
-      Size         : Natural := 0;
-      --  of a message, in bytes
    end record;
 
    package Event_Vectors is new Ada.Containers.Vectors (Positive, Event);

@@ -20,7 +20,7 @@ with Plain_Numbers;         use Plain_Numbers;
 with Reports;
 with Rigs;                  use Rigs;
 with Samples;
-with Service_Starts;
+with Loads;
 with Standstills;
 with Supervisor_Model;      use Supervisor_Model;
 with System.Multiprocessors;
@@ -440,7 +440,7 @@ package body Deadline_Times is
       end if;
       Standstills.Forget;
       Take_Bounds (Deadlines);
-      Service_Starts.Assemble
+      Loads.Assemble
         (R, "--baud" & Positive'Image (Baud), Connected => False);
       Load.Start (Yielding => True);
       Own_Process.Prefer_Real_Time (True);

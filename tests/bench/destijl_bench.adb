@@ -2,7 +2,11 @@
 --  Prints what the supervisor takes, what the floor is, and the ratio: all
 --  sections, or those named on the command line.
 
+with Ada.Calendar.Formatting;
 with Ada.Characters.Handling; use Ada.Characters.Handling;
+with Ada.Environment_Variables;
+with Ada.Strings;           use Ada.Strings;
+with Ada.Strings.Fixed;     use Ada.Strings.Fixed;
 with Ada.Strings.Unbounded; use Ada.Strings.Unbounded;
 with Ada.Text_IO;
 with GNAT.OS_Lib;
@@ -17,11 +21,13 @@ with Libc;
 with Option_Readers;        use Option_Readers;
 with Order_Times;
 with Own_Process;
+with Plain_Numbers;          use Plain_Numbers;
+with Process_Facts;          use Process_Facts;
 with Programs;
-with Report_Machine;
 with Report_Period_Times;
 with Report_Task_Times;
 with Reports;
+with System.Multiprocessors;
 with Trace_Responses;
 
 procedure Destijl_Bench is
@@ -93,6 +99,51 @@ procedure Destijl_Bench is
          Wanted := (others => True);
       end if;
    end Read_Command_Line;
+
+   procedure Report_Machine is
+      --  And the privileges of the measurement
+
+      function Known (Text : String) return String is
+        (if Text = "" then "none visible" else Text);
+
+      Model : constant String := File_Line ("/proc/cpuinfo", "model name");
+      Board : constant String :=
+        File_Line ("/sys/firmware/devicetree/base/model");
+      Cpu   : constant String := "/sys/devices/system/cpu/";
+   begin
+      Reports.Put_Fact
+        ("machine",
+         (if Board /= "" then Board
+          elsif Model /= "" then
+             Trim (Model (Index (Model, ":") + 1 .. Model'Last), Both)
+          else "unknown processor")
+         & "," & System.Multiprocessors.Number_Of_CPUs'Image & " cores"
+         & (if File_Line ("/proc/cpuinfo", "hypervisor") = "" then ""
+            else ", virtual"));
+      Reports.Put_Fact
+        ("kernel",
+         File_Line ("/proc/sys/kernel/osrelease")
+         & (if File_Line ("/sys/kernel/realtime", "1") = "1"
+            then ", PREEMPT_RT" else ", not PREEMPT_RT"));
+      Reports.Put_Fact
+        ("governor",
+         Known (File_Line (Cpu & "cpu0/cpufreq/scaling_governor"))
+         & ", idle states: "
+         & Known (File_Line (Cpu & "cpuidle/current_driver")));
+      Reports.Put_Fact
+        ("user",
+         (if Libc.Geteuid = 0 then "root" else "an ordinary user")
+         & (if Own_Process.Real_Time_Allowed then ", " else ", no ")
+         & "real-time priorities");
+      Reports.Put_Fact
+        ("sources",
+         Ada.Environment_Variables.Value ("DESTIJL_COMMIT", "unknown"));
+      Reports.Put_Fact ("samples", Image (Bench_Settings.Sample_Count));
+      Reports.Put_Fact ("seconds", Image (Bench_Settings.Seconds));
+      Reports.Put_Fact
+        ("begun", Ada.Calendar.Formatting.Image (Ada.Calendar.Clock)
+         & " UTC");
+   end Report_Machine;
 
    procedure Measure_Searches is
       --  By a program of its own, in the supervisor's language

@@ -12,8 +12,9 @@ import difflib
 import json
 import re
 import sys
-from collections.abc import Iterator
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass
+from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -193,7 +194,16 @@ def goal_of(rows: list[Row], figure: str, what: str) -> list[str]:
     return [limits[0], f"{sum(goal['met'] for goal in goals)} of {len(goals)}"]
 
 
-def wide(table: Table, run: Run, seen: set[tuple[str, ...]]) -> Iterator[str]:
+def cell_line(cells: Iterable[str]) -> str:
+    return "| " + " | ".join(cells) + " |"
+
+
+def grid(heads: list[str], cells: Iterable[Iterable[str]]) -> list[str]:
+    """A table's lines."""
+    return [cell_line(heads), "|---" * len(heads) + "|", *map(cell_line, cells)]
+
+
+def wide(table: Table, run: Run, seen: set[tuple[str, ...]]) -> list[str]:
     """The same for one run, a column for each figure; without rows that have
     none of them."""
     rows = {
@@ -203,18 +213,21 @@ def wide(table: Table, run: Run, seen: set[tuple[str, ...]]) -> Iterator[str]:
     }
     if not rows:
         raise Wrong(f"{run.path} has no rows of it")
-    yield cell_line(["what", *(label(figure, "us") for figure in table.figures)])
-    yield "|---" * (len(table.figures) + 1) + "|"
     for key, row in rows.items():
         for figure in table.figures:
             if figure not in row:
                 raise Wrong(f"{run.path} lacks {': '.join(key)}: {figure}")
             seen.add((*key, figure))
-        cells = [shown(row[figure], figure, "us") for figure in table.figures]
-        yield cell_line([key[1], *cells])
+    return grid(
+        ["what", *(label(figure, "us") for figure in table.figures)],
+        (
+            [key[1], *(shown(row[figure], figure, "us") for figure in table.figures)]
+            for key, row in rows.items()
+        ),
+    )
 
 
-def lines(table: Table, runs: list[Run], seen: set[tuple[str, ...]]) -> Iterator[str]:
+def lines(table: Table, runs: list[Run], seen: set[tuple[str, ...]]) -> list[str]:
     """Of the table. Notes in seen which goals they have."""
     if not runs:
         raise Wrong("no run of an ordinary user (--user)")
@@ -257,64 +270,82 @@ def lines(table: Table, runs: list[Run], seen: set[tuple[str, ...]]) -> Iterator
     if len({line[1] for line in cells}) == 1:
         heads = [cells[0][1], *heads[2:]]
         cells = [[line[0], *line[2:]] for line in cells]
-    yield cell_line(heads)
-    yield "|---" * len(heads) + "|"
-    last = ""
-    for line in cells:
-        yield cell_line(["" if line[0] == last else line[0], *line[1:]])
-        last = line[0]
+    before = ["", *(line[0] for line in cells)]
+    return grid(
+        heads,
+        (
+            ["" if line[0] == last else line[0], *line[1:]]
+            for last, line in zip(before, cells, strict=False)
+        ),
+    )
 
 
-def cell_line(cells: list[str]) -> str:
-    return "| " + " | ".join(cells) + " |"
-
-
-def facts(runs: list[Run]) -> Iterator[str]:
+def facts(runs: list[Run]) -> list[str]:
     names = list(runs[0].facts)
-    yield cell_line(["", *(run.name for run in runs)])
-    yield "|---" * (len(runs) + 1) + "|"
     for name in names:
         if any(name not in run.facts for run in runs):
             raise Wrong(f"only some runs have {name}")
-        yield cell_line([name, *(run.facts[name] for run in runs)])
+    return grid(
+        ["", *(run.name for run in runs)],
+        ([name, *(run.facts[name] for run in runs)] for name in names),
+    )
 
 
-def written(page: str, results: Results) -> str:
-    """The page with the tables of these results."""
-    seen: dict[str, set[tuple[str, ...]]] = {kind: set() for kind in results}
+def with_tables(path: Path, tables: dict[str, Callable[[], Iterable[str]]]) -> str:
+    """The page with these tables between their markers; it has no others."""
 
     def table(match: re.Match[str]) -> str:
         name = match[1]
-        if name in MACHINE:
-            made = facts([run for kind in MACHINE[name] for run in results[kind]])
-        elif name in TABLES:
-            wanted = TABLES[name]
-            runs = results[wanted.kind]
-            if wanted.wide:
-                made = wide(wanted, runs[0], seen[wanted.kind])
-            else:
-                made = lines(wanted, runs, seen[wanted.kind])
-        else:
-            raise Wrong(f"{PAGE.name}: no such table: {name}")
+        if name not in tables:
+            raise Wrong(f"{path.name}: no such table: {name}")
         try:
-            text = "\n".join(made)
+            text = "\n".join(tables[name]())
         except Wrong as problem:
             raise Wrong(f"table {name}: {problem}") from None
         return f"<!-- table: {name} -->\n\n{text}\n\n<!-- end -->\n"
 
+    page = path.read_text(encoding="utf-8")
     block = re.compile(
         r"^<!-- table: (\S+) -->\n((?!<!-- table).*\n)*?<!-- end -->\n", re.M
     )
     names = [match[1] for match in block.finditer(page)]
-    for name in (*MACHINE, *TABLES):
+    for name in tables:
         if names.count(name) != 1:
-            raise Wrong(f"{PAGE.name}: {names.count(name)} tables {name}, not 1")
+            raise Wrong(f"{path.name}: {names.count(name)} tables {name}, not 1")
     if len(re.findall("^<!-- ", page, re.M)) != 2 * len(names):
-        raise Wrong(f"{PAGE.name}: a marker without its other one")
-    page = block.sub(table, page)
+        raise Wrong(f"{path.name}: a marker without its other one")
+    return block.sub(table, page)
+
+
+def compare(path: Path, made: str) -> None:
+    page = path.read_text(encoding="utf-8")
+    if made != page:
+        changes = difflib.unified_diff(
+            page.splitlines(), made.splitlines(), "page", "results", lineterm=""
+        )
+        print("\n".join(changes))
+        raise Wrong(f"{path.name} has other figures than the results")
+
+
+def written(results: Results) -> str:
+    """The page with the tables of these results."""
+    seen: dict[str, set[tuple[str, ...]]] = {kind: set() for kind in results}
+
+    def rows(table: Table) -> Iterable[str]:
+        runs = results[table.kind]
+        if table.wide:
+            return wide(table, runs[0], seen[table.kind])
+        return lines(table, runs, seen[table.kind])
+
+    tables: dict[str, Callable[[], Iterable[str]]] = {
+        name: partial(facts, [run for kind in kinds for run in results[kind]])
+        for name, kinds in MACHINE.items()
+    }
+    tables |= {name: partial(rows, table) for name, table in TABLES.items()}
+    page = with_tables(PAGE, tables)
     for kind in ("run", "hour"):
-        for section, rows in results[kind][0].sections.items():
-            for name, row in rows.items():
+        for section, named in results[kind][0].sections.items():
+            for name, row in named.items():
                 for figure in row.get("goals", {}):
                     if (section, name, figure) not in seen[kind]:
                         raise Wrong(
@@ -323,30 +354,51 @@ def written(page: str, results: Results) -> str:
     return page
 
 
+def by_lines(value: Any) -> str:
+    """As JSON, a line for each object that has no list in it."""
+    if isinstance(value, list):
+        return "[\n" + ",\n".join(map(by_lines, value)) + "]"
+    if isinstance(value, dict) and any(isinstance(v, list) for v in value.values()):
+        members = (f"{json.dumps(key)}: {by_lines(v)}" for key, v in value.items())
+        return "{" + ",\n".join(members) + "}"
+    return json.dumps(value)
+
+
+def kept(run: Run, kind: str) -> str:
+    """Of its results those that a table has."""
+    used = {
+        key: row
+        for table in TABLES.values()
+        if table.kind == kind
+        for key, row in run.rows(table).items()
+        if any(figure in row for figure in table.figures)
+    }
+    sections = [
+        {
+            "name": section,
+            "rows": [row for name, row in rows.items() if (section, name) in used],
+        }
+        for section, rows in run.sections.items()
+    ]
+    return by_lines({**run.facts, "sections": sections}) + "\n"
+
+
 def keep(results: Results) -> None:
-    texts = {}
+    texts = {HOUR.name: kept(results["hour"][0], "hour")}
     for kind, end in (("run", ""), ("user", "-user")):
         for run in results[kind]:
             number = run.name.rpartition(" ")[2]
-            texts[f"run{number}{end}.json"] = run.path.read_bytes()
-    texts[HOUR.name] = results["hour"][0].path.read_bytes()
+            texts[f"run{number}{end}.json"] = kept(run, kind)
     RESULTS.mkdir(exist_ok=True)
     for path in RESULTS.glob("run*.json"):
         path.unlink()
     for name, text in texts.items():
-        (RESULTS / name).write_bytes(text)
+        (RESULTS / name).write_text(text, encoding="utf-8")
 
 
 def main(arguments: list[str]) -> None:
-    page = PAGE.read_text(encoding="utf-8")
     if arguments == ["--check"]:
-        made = written(page, recorded())
-        if made != page:
-            changes = difflib.unified_diff(
-                page.splitlines(), made.splitlines(), "page", "results", lineterm=""
-            )
-            print("\n".join(changes))
-            raise Wrong(f"{PAGE.name} has other figures than the results")
+        compare(PAGE, written(recorded()))
         return
     if arguments[:1] == ["--hour"]:
         if len(arguments) != 2:
@@ -359,7 +411,7 @@ def main(arguments: list[str]) -> None:
             [(f / "bench.json", f / "user" / "bench.json") for f in folders],
             HOUR,
         )
-    made = written(page, results)
+    made = written(results)
     keep(results)
     PAGE.write_text(made, encoding="utf-8")
     print(f"written: {PAGE}")

@@ -21,7 +21,6 @@ import argparse
 import json
 import os
 import platform
-import re
 import statistics
 import subprocess
 import sys
@@ -29,10 +28,21 @@ import time
 from pathlib import Path
 from typing import Any
 
-ROOT = Path(__file__).resolve().parents[2]
+from measurements import (
+    RESULTS,
+    ROOT,
+    Row,
+    Run,
+    Wrong,
+    by_lines,
+    compare,
+    grid,
+    with_tables,
+)
+
 PROGRAM = ROOT / "bin" / "destijl_missions"
 PAGE = ROOT / "docs" / "missions.md"
-KEPT = ROOT / "tests" / "bench" / "results" / "missions.json"
+KEPT = RESULTS / "missions.json"
 
 SLOWEST = 1.5
 #  Times that of an exact robot
@@ -41,7 +51,6 @@ AT_ONCE = 2
 #  Real ones
 
 Mission = dict[str, Any]
-Row = dict[str, Any]
 
 HEADS = {
     "name": "missions",
@@ -69,10 +78,6 @@ WAY_HEADS = {
     "max": "longest, ms",
     "bound": "bound, ms",
 }
-
-
-class Wrong(Exception):
-    """What results, page or missions lack."""
 
 
 def started(*options: str) -> subprocess.Popen[str]:
@@ -156,12 +161,11 @@ def shown(key: str, value: Any) -> str:
     return f"{value:,}" if isinstance(value, int) else str(value)
 
 
-def table(made: list[Row]) -> str:
-    lines = ["| " + " | ".join(HEADS.values()) + " |", "|---" * len(HEADS) + "|"]
-    for line in made:
-        cells = [shown(key, line[key]) for key in HEADS]
-        lines.append("| " + " | ".join(cells) + " |")
-    return "\n".join(lines)
+def table(made: list[Row]) -> list[str]:
+    return grid(
+        list(HEADS.values()),
+        ([shown(key, line[key]) for key in HEADS] for line in made),
+    )
 
 
 def missed(missions: list[Mission]) -> list[str]:
@@ -202,55 +206,41 @@ def about(kept: dict[str, Any]) -> str:
     )
 
 
-def block(kept: dict[str, Any]) -> str:
-    text = f"Seed {kept['seed']}. {about(kept)}\n\n{table(kept['rows'])}\n"
+def block(kept: dict[str, Any]) -> list[str]:
+    text = [f"Seed {kept['seed']}. {about(kept)}", "", *table(kept["rows"])]
     if kept["missed"]:
-        text += "\nGoals missed:\n\n" + "".join(f"- {m}\n" for m in kept["missed"])
+        text += ["", "Goals missed:", "", *(f"- {m}" for m in kept["missed"])]
     return text
 
 
-def way_of(folder: Path) -> dict[str, Any]:
-    results = json.loads((folder / "bench.json").read_text(encoding="utf-8"))
-    found = [
-        line
-        for section in results["sections"]
-        for line in section["rows"]
-        if line.get("name") == WAY
-    ]
-    if len(found) != 1:
-        raise Wrong(f"{folder}: {len(found)} rows {WAY}, not 1")
-    figures = {key: found[0][key] for key in WAY_HEADS if key != "bound"}
-    figures["bound"] = found[0]["goals"]["max"]["at most"]
-    facts = {key: results[key] for key in ("sources", "begun", "machine", "kernel")}
-    return {**facts, "figures": figures}
+def way_of(path: Path) -> dict[str, Any]:
+    run = Run(path, "")
+    row = run.sections.get("responses", {}).get(WAY)
+    if not row:
+        raise Wrong(f"{path} has no row {WAY}")
+    figures = {key: row[key] for key in WAY_HEADS if key != "bound"}
+    figures["bound"] = row["goals"]["max"]["at most"]
+    facts = ("sources", "begun", "machine", "kernel")
+    return {**{key: run.facts[key] for key in facts}, "figures": figures}
 
 
-def way_block(way: dict[str, Any]) -> str:
+def way_block(way: dict[str, Any]) -> list[str]:
     cells = [
         f"{way['figures'][key]:,}" if key == "n" else f"{way['figures'][key] / 1e3:.1f}"
         for key in WAY_HEADS
     ]
-    lines = [
-        "| " + " | ".join(WAY_HEADS.values()) + " |",
-        "|---" * len(WAY_HEADS) + "|",
-        "| " + " | ".join(cells) + " |",
-    ]
-    return about(way) + "\n\n" + "\n".join(lines) + "\n"
+    return [about(way), "", *grid(list(WAY_HEADS.values()), [cells])]
 
 
-def with_table(page: str, name: str, text: str) -> str:
-    pattern = re.compile(
-        rf"^(<!-- table: {name} -->\n)(?:(?!<!--).*\n)*?(<!-- end -->\n)", re.M
+def written(kept: dict[str, Any]) -> str:
+    for line in kept["rows"]:
+        for key in HEADS:
+            if key not in line:
+                raise Wrong(f"{KEPT.name} lacks {line['name']}: {key}")
+    return with_tables(
+        PAGE,
+        {"missions": lambda: block(kept), "orders": lambda: way_block(kept["way"])},
     )
-    found = len(pattern.findall(page))
-    if found != 1:
-        raise Wrong(f"{PAGE.name}: {found} tables {name}, not 1")
-    return pattern.sub(lambda m: f"{m[1]}\n{text}\n{m[2]}", page)
-
-
-def written(page: str, kept: dict[str, Any]) -> str:
-    page = with_table(page, "missions", block(kept))
-    return with_table(page, "orders", way_block(kept["way"]))
 
 
 def document(source: Path, responses: Path) -> None:
@@ -260,28 +250,17 @@ def document(source: Path, responses: Path) -> None:
         **results,
         "rows": rows(missions),
         "missed": missed(missions),
-        "way": way_of(responses),
+        "way": way_of(responses / "bench.json"),
     }
-    page = written(PAGE.read_text(encoding="utf-8"), kept)
-    KEPT.write_text(json.dumps(kept, indent=1) + "\n", encoding="utf-8")
+    page = written(kept)
+    KEPT.write_text(by_lines(kept) + "\n", encoding="utf-8")
     PAGE.write_text(page, encoding="utf-8")
     print(f"written: {PAGE}")
 
 
-def check_document() -> None:
-    kept = json.loads(KEPT.read_text(encoding="utf-8"))
-    for line in kept["rows"]:
-        for key in HEADS:
-            if key not in line:
-                raise Wrong(f"{KEPT.name} lacks {line['name']}: {key}")
-    page = PAGE.read_text(encoding="utf-8")
-    if written(page, kept) != page:
-        raise Wrong(f"{PAGE.name} has other figures than the results")
-
-
 def main(arguments: list[str]) -> None:
     if arguments == ["--docs", "--check"]:
-        check_document()
+        compare(PAGE, written(json.loads(KEPT.read_text(encoding="utf-8"))))
         return
     if arguments[:1] == ["--docs"]:
         if len(arguments) != 3:
@@ -305,10 +284,9 @@ def main(arguments: list[str]) -> None:
     radio = ["--radio"] if chosen.radio else []
     missions = run(chosen.simulated, chosen.real, chosen.seed, *radio)
     if chosen.out is not None:
-        lines = ",\n".join(json.dumps(mission) for mission in missions)
-        text = json.dumps(now)[:-1] + f', "missions": [\n{lines}]}}\n'
+        text = by_lines({**now, "missions": missions}) + "\n"
         chosen.out.write_text(text, encoding="utf-8")
-    print(table(rows(missions)))
+    print("\n".join(table(rows(missions))))
     complaints = missed(missions)
     print("\n".join(complaints))
     if chosen.check and complaints:

@@ -8,18 +8,15 @@ with System.Multiprocessors;
 
 with Bench_Settings;
 with Budgets;               use Budgets;
-with Busy_Loops;
 with Expectations;          use Expectations;
 with Libc;
-with Mission_Drives;
-with Own_Process;
 with Programs;
 with Reports;
 with Response_Times;        use Response_Times;
 with Rigs;                  use Rigs;
 with Samples;
 with Schedule;
-with Service_Starts;
+with Loads;
 with Supervisor_Model;      use Supervisor_Model;
 with Trace_Files;           use Trace_Files;
 with Vision.Image_Grid;
@@ -74,6 +71,8 @@ package body Trace_Responses is
       --  what th_mission has begun this job with
    end record;
 
+   type State_Array is array (Thread_Number) of Thread_State;
+
    type Sight is record
       Newest, Older : Nanoseconds := Never;
       --  images that came and were not taken, by their arrivals
@@ -88,16 +87,15 @@ package body Trace_Responses is
      Natural (System.Multiprocessors.Number_Of_CPUs) - 1;
 
    Apart : constant Boolean := Last_Processor > 0;
+   --  The supervisor runs with --cpu
 
    Image_Period : constant := 100_000;
    --  microseconds, without --fps
 
-   type State_Array is array (Thread_Number) of Thread_State;
-
    procedure Take_Bounds
-     (Apart, Missions : Boolean;
-      Result          : in out Response_Array;
-      Orders          : in out Response)
+     (Missions : Boolean;
+      Result   : in out Response_Array;
+      Orders   : in out Response)
    is
       Known : Analysis;
 
@@ -123,7 +121,8 @@ package body Trace_Responses is
       end if;
    end Take_Bounds;
 
-   procedure Add (Item : in out Response; Time : Duration) is
+   procedure Add (Item : in out Response; Span : Nanoseconds) is
+      Time : constant Duration := Duration (Span / 1_000) / 1_000_000;
    begin
       Item.Times.Add (Time);
       if Item.Bound > 0.0 and then Time > Item.Bound then
@@ -153,9 +152,6 @@ package body Trace_Responses is
          S.Begun := Item.Time;
       end if;
    end Resume;
-
-   function Found (S : Thread_State) return Boolean is
-     (S.Begun /= Never);
 
    function Activity_Of (S : Thread_State; Last : Boolean)
      return Activity_Name
@@ -214,11 +210,9 @@ package body Trace_Responses is
    is
       --  The activity under way has ended; Last: and its job
       Name : constant Activity_Name := Activity_Of (S, Last);
-      Time : constant Duration :=
-        Duration ((At_End - S.Begun) / 1_000) / 1_000_000;
    begin
-      if Found (S) and then Name /= Environment then
-         Add (Result (Name), Time);
+      if S.Begun /= Never and then Name /= Environment then
+         Add (Result (Name), At_End - S.Begun);
       end if;
       S.Begun := Never;
    end Add;
@@ -357,7 +351,7 @@ package body Trace_Responses is
       elsif N = "robot M" or else N = "robot T" then
          --  of a mission that has just seen the image
          if Who.Name = "th_mission" and then S.Seen /= Never then
-            Add (Orders, Duration ((Item.Time - S.Seen) / 1_000) / 1_000_000);
+            Add (Orders, Item.Time - S.Seen);
             S.Seen := Never;
          end if;
       end if;
@@ -365,22 +359,20 @@ package body Trace_Responses is
 
    procedure Read
      (Path     : String;
-      Apart    : Boolean;
       Missions : Boolean;
       Result   : out Response_Array;
       Orders   : out Response)
    is
-      --  Apart: the supervisor ran with --cpu. Missions: the bounds are those
-      --  beside missions. Orders: of missions, from the arrival of the image
-      --  to the frame of the order. Raises Trace_Files.Bad_Trace where Path
-      --  is no trace
+      --  Missions: the bounds are those beside missions. Orders: of missions,
+      --  from the arrival of the image to the frame of the order. Raises
+      --  Trace_Files.Bad_Trace where Path is no trace
       T      : Trace;
       States : State_Array;
       Image  : Sight;
    begin
       Result := (others => <>);
       Orders := (others => <>);
-      Take_Bounds (Apart, Missions, Result, Orders);
+      Take_Bounds (Missions, Result, Orders);
       Trace_Files.Read (Path, T);
       for Number in Thread_Number loop
          States (Number).Name := T.Threads (Number).Name;
@@ -436,34 +428,13 @@ package body Trace_Responses is
 
    procedure Make (Path : String; Missions : Boolean) is
       --  A trace
-      R      : Rig;
-      Load   : Busy_Loops.Load;
-      Count  : Mission_Drives.Tally;
+      R : Rig;
    begin
-      Service_Starts.Assemble
-        (R,
-         (if Missions then Mission_Drives.Emulator_Options else ""),
+      Loads.Carry_Out
+        (R, Missions,
          "--trace " & Path
          & (if Apart and then not Bench_Settings.As_Service
             then " --cpu" & Last_Processor'Image else ""));
-      if Missions then
-         Mission_Drives.Prepare (R);
-      else
-         Start_Robot (R, Watchdog => True);
-         Open_Camera (R, Positions => True);
-      end if;
-      Load.Start;
-      Own_Process.Prefer_Real_Time (True);
-      if Missions then
-         Mission_Drives.Drive
-           (R, Duration (Bench_Settings.Short_Seconds), Count);
-         Mission_Drives.Report (Count);
-      else
-         Service_Starts.Drive
-           (R, Duration (Bench_Settings.Short_Seconds));
-      end if;
-      Own_Process.Prefer_Real_Time (False);
-      Load.Stop;
       R.Supervisor.Send_Signal (Libc.Sigterm);
       Check (R.Supervisor.Exit_Status = 0,
              "the supervisor did not end in good order");
@@ -508,7 +479,7 @@ package body Trace_Responses is
       if Path = "" then
          Make (Own, Missions => False);
       end if;
-      Read ((if Path = "" then Own else Path), Apart, False, Result, Orders);
+      Read ((if Path = "" then Own else Path), False, Result, Orders);
       for Name in Activity_Name loop
          Put (Name_Of (Name), Result (Name));
       end loop;
@@ -516,7 +487,7 @@ package body Trace_Responses is
       if Path = "" then
          Make (Own, Missions => True);
       end if;
-      Read ((if Path = "" then Own else Path), Apart, True, Beside, Orders);
+      Read ((if Path = "" then Own else Path), True, Beside, Orders);
       if Orders.Times.Count > 0 then
          for Name in Mission_Begin .. Mission_Told loop
             Put (Name_Of (Name), Beside (Name));

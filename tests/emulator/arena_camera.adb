@@ -1,6 +1,6 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  A camera above the arena: one task draws, one accepts viewers, and each
---  viewer has a task of its own, so that a slow one hurts nobody.
+--  A camera above the arena: one task draws, and each viewer has a task of
+--  its own, so that a slow one hurts nobody.
 
 with Ada.Exceptions;
 with Ada.Long_Float_Text_IO;
@@ -27,11 +27,12 @@ with Scenes;
 
 package body Arena_Camera is
 
+   use all type Settings.Kind;
+
    Max_Viewers : constant := 8;
 
    Max_Connections : constant := Max_Viewers + 4;
    --  The others are for /pose, which needs no image
-   subtype Viewer_Count is Natural range 0 .. Max_Connections;
    subtype Viewer_Number is Positive range 1 .. Max_Connections;
 
    Largest_Image : constant := 4_000_000;
@@ -57,20 +58,26 @@ package body Arena_Camera is
    end record;
    --  What was to be seen when
 
+   type Choice is record
+      Value         : Settings.Values (Settings.Camera_Kind) :=
+        Settings.Usual (Settings.Camera_Kind);
+      Width, Height : Natural;
+   end record;
+
    protected Studio is
 
-      procedure Prepare (S : Settings);
-      --  Before all others
+      procedure Open;
+      --  Before that nothing is to be seen
 
       procedure Set_Mode (New_Mode : Mode_Kind);
-      procedure Configure (S : Settings);
+      procedure Set (Kind : Settings.Camera_Kind; Value : Integer);
+      procedure Set_Size (Width, Height : Positive);
       procedure Mend;
 
-      procedure Enter (Who : out Viewer_Count);
-      --  A place for a viewer; 0 where all are taken
-      procedure Leave (Who : Viewer_Number);
       procedure Begin_Watching (Who : Viewer_Number; Allowed : out Boolean);
       --  Not where the camera is off or has all its viewers
+      procedure Leave (Who : Viewer_Number);
+      --  Whether it watches or not
 
       entry Next (Viewer_Number)
         (Data : out Image; Length : out Image_Length; Bare : out Boolean);
@@ -81,18 +88,17 @@ package body Arena_Camera is
       procedure Publish
         (S : Shot; Data : Image; Length : Image_Length; Bare : Boolean);
 
-      function Configuration return Settings;
+      function Configuration return Choice;
       function Current_Mode return Mode_Kind;
       function Newest return Shot;
       function Watching return Natural;
 
    private
       Mode    : Mode_Kind := On;
-      Usual   : Settings;
-      --  At the start
-      Chosen  : Settings;
+      Chosen  : Choice := (Width => 640, Height => 480, others => <>);
+      Usual   : Choice;
+      --  When it was opened
       Ready   : Boolean := False;
-      Taken   : Viewer_Flags := (others => False);
       Looking : Viewer_Flags := (others => False);
       Fresh   : Viewer_Flags := (others => False);
       Lookers : Natural := 0;
@@ -105,12 +111,8 @@ package body Arena_Camera is
    task Painter with Storage_Size => 8 * 1_024 * 1_024;
    --  OpenCV runs on its stack
 
-   task Doorman is
-      entry Start (Server : Socket_Type);
-   end Doorman;
-
    task type Viewer is
-      entry Serve (Who : Viewer_Number; Socket : Socket_Type);
+      entry Start (Server : Socket_Type; Who : Viewer_Number);
    end Viewer;
 
    Viewer_Tasks : array (Viewer_Number) of Viewer;
@@ -120,30 +122,32 @@ package body Arena_Camera is
    Copies : array (Viewer_Number) of Image;
    --  Each viewer's own
 
-   function Scene_Now (Time : Instant; Seed : Natural; S : Settings)
+   function Scene_Now (Time : Instant; Seed : Natural; C : Choice)
      return Scenes.Description
    is
       --  What there is to be seen
       Robot : Robot_Core.Robot;
       Pose  : Robot_Motion.Pose;
    begin
-      Robot_Bench.Look (Robot, Time, Ago => Instant (S.Late) * 1_000_000);
+      Robot_Bench.Bench.Look
+        (Robot, Time,
+         Ago => Instant (C.Value (Camera_Delay)) * 1_000_000);
       Pose := Robot_Core.Pose (Robot);
       return
-        (Width  => int (S.Width),
-         Height => int (S.Height),
+        (Width  => int (C.Width),
+         Height => int (C.Height),
          Arena  => 1,
          Fill   => 0.85,
          Turn   => 0.0,
-         Noise  => double (S.Noise),
+         Noise  => double (C.Value (Noise)),
          Blur   => 0.0,
          Uneven => 0.0,
          Seed   => unsigned (Seed),
          Robots => 1,
          Robot  =>
            (0      =>
-              (Marker  => Marker_Kind'Pos (S.Marker),
-               Id      => int (S.Marker_Id),
+              (Marker  => int (C.Value (Marker)),
+               Id      => int (C.Value (Marker_Id)),
                X       => double (Pose.X) / 10_000.0,
                Y       => double (Pose.Y) / 10_000.0,
                Heading => double (Pose.Angle) / 1_000_000.0),
@@ -184,439 +188,10 @@ package body Arena_Camera is
       Length : in out Image_Length;
       Bare   : out Boolean;
       Number : Natural)
-   with Pre => Length > 0;
-   --  Makes of a good image one of the kinds of bad ones, as its number has
-   --  it. Bare: to be sent without the header of its part.
-
-   procedure Configure (Socket : Socket_Type) is
-      --  A viewer that takes nothing for long is given up, and little of what
-      --  it has not taken waits in the kernel
-   begin
-      Set_Socket_Option
-        (Socket, Socket_Level, (Receive_Timeout, Timeout => 5.0));
-      Set_Socket_Option
-        (Socket, Socket_Level, (Send_Timeout, Timeout => 30.0));
-      Set_Socket_Option (Socket, Socket_Level, (Send_Buffer, Size => 65_536));
-      Set_Socket_Option
-        (Socket, IP_Protocol_For_TCP_Level, (No_Delay, Enabled => True));
-   end Configure;
-
-   procedure Displace (Scene : in out Scenes.Description; By : double) is
-      --  Its robot, by pixels of this standard deviation
-      Width  : constant double := double (Robot_Motion.Arena_Width) / 10_000.0;
-      Height : constant double :=
-        double (Robot_Motion.Arena_Height) / 10_000.0;
-
-      Robot       : Scenes.Robot renames Scene.Robot (0);
-      Beside      : Scenes.Description := Scene;
-      Here, There : double;
-      Cy, Dx, Dy  : double;
-      Source      : GNAT.Random_Numbers.Generator;
-      Centimetres : double;
-
-      function Deviate return Long_Float is
-        (GNAT.Random_Numbers.Random_Gaussian (Source));
-   begin
-      Beside.Robot (0).X := Robot.X + 1.0;
-      if Scenes.Robot_Truth (Scene, 0, Here, Cy, Dx, Dy) /= 0
-        or else Scenes.Robot_Truth (Beside, 0, There, Cy, Dx, Dy) /= 0
-      then
-         return;
-      end if;
-      Centimetres := By / (There - Here);
-
-      GNAT.Random_Numbers.Reset (Source, Integer (Scene.Seed));
-      Robot.X := double'Max
-        (0.0, double'Min (Width, Robot.X + Centimetres * double (Deviate)));
-      Robot.Y := double'Max
-        (0.0, double'Min (Height, Robot.Y + Centimetres * double (Deviate)));
-   end Displace;
-
-   task body Doorman is
-      Server : Socket_Type;
-      Client : Socket_Type;
-      From   : Sock_Addr_Type;
-      Who    : Viewer_Count;
-   begin
-      accept Start (Server : Socket_Type) do
-         Doorman.Server := Server;
-      end Start;
-      loop
-         begin
-            Accept_Socket (Server, Client, From);
-            Studio.Enter (Who);
-            if Who = 0 then
-               Close_Socket (Client);
-            else
-               Viewer_Tasks (Who).Serve (Who, Client);
-            end if;
-         exception
-            when Socket_Error =>
-               delay 0.1;
-               --  Perhaps out of descriptors, temporarily
-         end;
-      end loop;
-   end Doorman;
-
-   task body Painter is
-      S      : Shot;
-      Due    : Instant;
-      Wanted : Settings;
-      Length : int := 0;
-      Size   : Image_Length;
-      Bare   : Boolean;
-      Again  : Boolean := False;
-      --  What is in Drawn may be delivered once more
-   begin
-      Own_Process.Give_Way;
-      loop
-         Studio.Wait_For_Work;
-         Due := Now;
-         while Studio.Has_Work loop
-            S.Time   := Now;
-            S.Number := Studio.Newest.Number + 1;
-            Wanted   := Studio.Configuration;
-            if not (Again
-                    and then S.Scene.Width = int (Wanted.Width)
-                    and then S.Scene.Height = int (Wanted.Height))
-            then
-               S.Scene := Scene_Now (S.Time, S.Number, Wanted);
-               if Wanted.Displaced > 0 then
-                  Displace (S.Scene, double (Wanted.Displaced));
-               end if;
-               Length := Scenes.Jpeg
-                 (S.Scene, Quality, Drawn'Address, Largest_Image);
-            end if;
-            Again := False;
-            if Length > 0 then
-               Size := Image_Length (Length);
-               Bare := False;
-               if Studio.Current_Mode = Garbage then
-                  Spoil (Drawn, Size, Bare, S.Number);
-               else
-                  Again := Wanted.Width * Wanted.Height > Largest_Alive;
-               end if;
-               Studio.Publish (S, Drawn, Size, Bare);
-            end if;
-
-            Due := Due + 1_000_000_000 / Instant (Studio.Configuration.Rate);
-            if Due < Now then
-               Due := Now;
-               --  Too slow: images are left out, not made up for
-            end if;
-            delay Due - Now;
-         end loop;
-      end loop;
-   exception
-      when Failure : others =>
-         Ada.Text_IO.Put_Line
-           (Ada.Text_IO.Standard_Error,
-            "destijl_emulator: the camera failed: "
-            & Ada.Exceptions.Exception_Information (Failure));
-   end Painter;
-
-   procedure Serve_Viewer (Who : Viewer_Number; Socket : Socket_Type) is
-      --  One connection from beginning to end. Socket_Error where it breaks.
-
-      NL : constant String := (ASCII.CR, ASCII.LF);
-
-      procedure Send (Data : Stream_Element_Array) is
-         --  All of it, or Socket_Error
-         First : Stream_Element_Offset := Data'First;
-         Last  : Stream_Element_Offset;
-      begin
-         while First <= Data'Last loop
-            Send_Socket (Socket, Data (First .. Data'Last), Last);
-            if Last < First then
-               raise Socket_Error with "nothing taken";
-            end if;
-            First := Last + 1;
-         end loop;
-      end Send;
-
-      procedure Send (Text : String) is
-         Data : Stream_Element_Array (1 .. Text'Length);
-      begin
-         for K in Data'Range loop
-            Data (K) := Character'Pos (Text (Text'First + Natural (K) - 1));
-         end loop;
-         Send (Data);
-      end Send;
-
-      function Is_Gone return Boolean is
-         --  The viewer has closed
-         Files : Libc.Poll_Array (1 .. 1) :=
-           (1 => (int (To_C (Socket)), Libc.Poll_Hang_Up, 0));
-      begin
-         Polls.Wait (Files, 0.0);
-         return Files (1).Returned /= 0;
-      end Is_Gone;
-
-      procedure Make_Wait is
-         --  As long as opening the camera takes, unless the viewer goes
-         Step : constant Duration := 0.05;
-         Left : Duration := Duration (Studio.Configuration.Opening) / 1_000;
-      begin
-         while Left > 0.0 and then not Is_Gone loop
-            delay Duration'Min (Left, Step);
-            Left := Left - Step;
-         end loop;
-      end Make_Wait;
-
-      procedure Next_Image
-        (Length : in out Image_Length; Bare : in out Boolean)
-      is
-         --  Waits for it. Where drawing takes more than a second, on a busy
-         --  machine, the last one comes again: a camera has its own processor.
-         --  0: the camera is off, or the viewer has gone.
-         Waited : Natural := 0;
-      begin
-         loop
-            select
-               Studio.Next (Who) (Copies (Who), Length, Bare);
-               return;
-            or
-               delay 0.6;
-               if Is_Gone then
-                  Bare   := False;
-                  Length := 0;
-                  return;
-               end if;
-               Waited := (if Studio.Current_Mode = On then Waited + 1 else 0);
-               exit when Waited = 2 and then Length > 0;
-            end select;
-         end loop;
-      end Next_Image;
-
-      procedure Read_Path (Path : out Unbounded_String) is
-         --  Of a GET request; "" where it is anything else
-         Data   : Stream_Element_Array (1 .. 4_096);
-         Text   : String (1 .. 4_096);
-         Filled : Natural := 0;
-         Last   : Stream_Element_Offset;
-         Stop   : Natural;
-      begin
-         Path := Null_Unbounded_String;
-         loop
-            Receive_Socket
-              (Socket, Data (1 .. Data'Last - Stream_Element_Offset (Filled)),
-               Last);
-            exit when Last < Data'First;
-            for K in 1 .. Last loop
-               Filled := Filled + 1;
-               Text (Filled) := Character'Val (Data (K));
-            end loop;
-            exit when Ada.Strings.Fixed.Index
-              (Text (1 .. Filled), NL & NL) > 0
-              or else Filled = Text'Last;
-         end loop;
-
-         if Filled >= 4 and then Text (1 .. 4) = "GET " then
-            Stop := Ada.Strings.Fixed.Index (Text (5 .. Filled), " ");
-            if Stop > 0 then
-               Path := To_Unbounded_String (Text (5 .. Stop - 1));
-            end if;
-         end if;
-      end Read_Path;
-
-      procedure Reply (Status, Kind, Content : String) is
-      begin
-         Send ("HTTP/1.0 " & Status & NL
-               & "Content-Type: " & Kind & NL
-               & "Content-Length:" & Content'Length'Image & NL
-               & "Cache-Control: no-store" & NL
-               & "Connection: close" & NL & NL
-               & Content);
-      end Reply;
-
-      procedure Send_Image (Length : Image_Length) is
-         Data : Stream_Element_Array (1 .. Length)
-           with Import, Address => Copies (Who)'Address;
-      begin
-         Send (Data);
-      end Send_Image;
-
-      Plain   : constant String := "text/plain";
-      Path    : Unbounded_String;
-      Length  : Image_Length := 0;
-      Bare    : Boolean := False;
-      Allowed : Boolean;
-
-   begin
-      Configure (Socket);
-      Read_Path (Path);
-
-      if Path = "/pose" then
-         declare
-            Time : constant Instant := Now;
-            Sees : Settings := Studio.Configuration;
-         begin
-            Sees.Late := 0;
-            Reply ("200 OK", Plain,
-                   Truth ((Scene_Now (Time, 0, Sees),
-                           Studio.Newest.Number, Time))
-                   & ASCII.LF);
-         end;
-
-      elsif Path = "/pose/frame" then
-         if Studio.Newest.Number > 0 then
-            Reply ("200 OK", Plain, Truth (Studio.Newest) & ASCII.LF);
-         else
-            Reply ("503 Service Unavailable", Plain,
-                   "no image has been drawn yet" & ASCII.LF);
-         end if;
-
-      elsif Path = "/stream.mjpg" or else Path = "/snapshot.jpg" then
-         Make_Wait;
-         Studio.Begin_Watching (Who, Allowed);
-         if not Allowed then
-            Reply ("503 Service Unavailable", Plain,
-                   "the camera is off, or has its 8 viewers" & ASCII.LF);
-
-         elsif Path = "/snapshot.jpg" then
-            Next_Image (Length, Bare);
-            if Length > 0 then
-               Send ("HTTP/1.0 200 OK" & NL
-                     & "Content-Type: image/jpeg" & NL
-                     & "Content-Length:" & Length'Image & NL
-                     & "Cache-Control: no-store" & NL
-                     & "Connection: close" & NL & NL);
-               Send_Image (Length);
-            end if;
-
-         else
-            Send ("HTTP/1.0 200 OK" & NL
-                  & "Content-Type: "
-                  & "multipart/x-mixed-replace; boundary=frame" & NL
-                  & "Cache-Control: no-store" & NL
-                  & "Connection: close" & NL & NL);
-            loop
-               Next_Image (Length, Bare);
-               exit when Length = 0;
-               if not Bare then
-                  Send ("--frame" & NL
-                        & "Content-Type: image/jpeg" & NL
-                        & "Content-Length:" & Length'Image & NL & NL);
-               end if;
-               Send_Image (Length);
-               Send (NL);
-            end loop;
-         end if;
-
-      elsif Path = "" then
-         Reply ("400 Bad Request", Plain, "GET only" & ASCII.LF);
-      else
-         Reply ("404 Not Found", Plain,
-                "/stream.mjpg /snapshot.jpg /pose /pose/frame" & ASCII.LF);
-      end if;
-   end Serve_Viewer;
-
-   protected body Studio is
-
-      procedure Begin_Watching (Who : Viewer_Number; Allowed : out Boolean) is
-      begin
-         Allowed := Mode /= Off and then Lookers < Max_Viewers;
-         if Allowed then
-            Looking (Who) := True;
-            Fresh (Who)   := False;
-            Lookers       := Lookers + 1;
-         end if;
-      end Begin_Watching;
-
-      function Configuration return Settings is (Chosen);
-
-      function Current_Mode return Mode_Kind is (Mode);
-
-      procedure Enter (Who : out Viewer_Count) is
-      begin
-         Who := 0;
-         for V in Viewer_Number loop
-            if not Taken (V) then
-               Taken (V) := True;
-               Who := V;
-               return;
-            end if;
-         end loop;
-      end Enter;
-
-      function Has_Work return Boolean is
-        (Ready and then Lookers > 0 and then Mode in On | Garbage);
-
-      procedure Leave (Who : Viewer_Number) is
-      begin
-         if Looking (Who) then
-            Looking (Who) := False;
-            Lookers       := Lookers - 1;
-         end if;
-         Taken (Who) := False;
-      end Leave;
-
-      procedure Mend is
-      begin
-         Mode   := On;
-         Chosen := Usual;
-      end Mend;
-
-      function Newest return Shot is (Last);
-
-      entry Next (for Who in Viewer_Number)
-        (Data : out Image; Length : out Image_Length; Bare : out Boolean)
-        when Fresh (Who) or else Mode = Off is
-      begin
-         Bare := Is_Bare;
-         Fresh (Who) := False;
-         if Mode = Off then
-            Length := 0;
-         else
-            Length := Size;
-            Data (1 .. Size) := Picture (1 .. Size);
-         end if;
-      end Next;
-
-      procedure Prepare (S : Settings) is
-      begin
-         Usual  := S;
-         Chosen := S;
-         Ready  := True;
-      end Prepare;
-
-      procedure Publish
-        (S : Shot; Data : Image; Length : Image_Length; Bare : Boolean) is
-      begin
-         if Mode in On | Garbage then
-            Last    := S;
-            Size    := Length;
-            Is_Bare := Bare;
-            Picture (1 .. Length) := Data (1 .. Length);
-            Fresh   := Looking;
-         end if;
-      end Publish;
-
-      procedure Configure (S : Settings) is
-      begin
-         Chosen := S;
-      end Configure;
-
-      procedure Set_Mode (New_Mode : Mode_Kind) is
-      begin
-         Mode := New_Mode;
-      end Set_Mode;
-
-      entry Wait_For_Work when Has_Work is
-      begin
-         null;
-      end Wait_For_Work;
-
-      function Watching return Natural is (Lookers);
-
-   end Studio;
-
-   procedure Spoil
-     (Data   : in out Image;
-      Length : in out Image_Length;
-      Bare   : out Boolean;
-      Number : Natural)
+     with Pre => Length > 0
    is
+      --  Makes of a good image one of the kinds of bad ones, as its number has
+      --  it. Bare: to be sent without the header of its part.
       State : Interfaces.Unsigned_32 := Interfaces.Unsigned_32 (Number);
 
       procedure Draw (Below : Image_Length; Value : out Image_Length) is
@@ -666,38 +241,408 @@ package body Arena_Camera is
       end case;
    end Spoil;
 
-   task body Viewer is
-      Number : Viewer_Number;
-      Peer   : Socket_Type;
+   procedure Configure (Socket : Socket_Type) is
+      --  A viewer that takes nothing for long is given up, and little of what
+      --  it has not taken waits in the kernel
    begin
+      Set_Socket_Option
+        (Socket, Socket_Level, (Receive_Timeout, Timeout => 5.0));
+      Set_Socket_Option
+        (Socket, Socket_Level, (Send_Timeout, Timeout => 30.0));
+      Set_Socket_Option (Socket, Socket_Level, (Send_Buffer, Size => 65_536));
+      Set_Socket_Option
+        (Socket, IP_Protocol_For_TCP_Level, (No_Delay, Enabled => True));
+   end Configure;
+
+   procedure Displace (Scene : in out Scenes.Description; By : double) is
+      --  Its robot, by pixels of this standard deviation
+      Width  : constant double := double (Robot_Motion.Arena_Width) / 10_000.0;
+      Height : constant double :=
+        double (Robot_Motion.Arena_Height) / 10_000.0;
+
+      Robot       : Scenes.Robot renames Scene.Robot (0);
+      Beside      : Scenes.Description := Scene;
+      Here, There : double;
+      Cy, Dx, Dy  : double;
+      Source      : GNAT.Random_Numbers.Generator;
+      Centimetres : double;
+
+      function Deviate return Long_Float is
+        (GNAT.Random_Numbers.Random_Gaussian (Source));
+   begin
+      Beside.Robot (0).X := Robot.X + 1.0;
+      if Scenes.Robot_Truth (Scene, 0, Here, Cy, Dx, Dy) /= 0
+        or else Scenes.Robot_Truth (Beside, 0, There, Cy, Dx, Dy) /= 0
+      then
+         return;
+      end if;
+      Centimetres := By / (There - Here);
+
+      GNAT.Random_Numbers.Reset (Source, Integer (Scene.Seed));
+      Robot.X := double'Max
+        (0.0, double'Min (Width, Robot.X + Centimetres * double (Deviate)));
+      Robot.Y := double'Max
+        (0.0, double'Min (Height, Robot.Y + Centimetres * double (Deviate)));
+   end Displace;
+
+   task body Painter is
+      S      : Shot;
+      Due    : Instant;
+      Wanted : Choice;
+      Length : int := 0;
+      Size   : Image_Length;
+      Bare   : Boolean;
+      Again  : Boolean := False;
+      --  What is in Drawn may be delivered once more
+   begin
+      Own_Process.Give_Way;
       loop
-         accept Serve (Who : Viewer_Number; Socket : Socket_Type) do
-            Number := Who;
-            Peer   := Socket;
-         end Serve;
+         Studio.Wait_For_Work;
+         Due := Now;
+         while Studio.Has_Work loop
+            S.Time   := Now;
+            S.Number := Studio.Newest.Number + 1;
+            Wanted   := Studio.Configuration;
+            if not (Again
+                    and then S.Scene.Width = int (Wanted.Width)
+                    and then S.Scene.Height = int (Wanted.Height))
+            then
+               S.Scene := Scene_Now (S.Time, S.Number, Wanted);
+               if Wanted.Value (Position_Noise) > 0 then
+                  Displace (S.Scene, double (Wanted.Value (Position_Noise)));
+               end if;
+               Length := Scenes.Jpeg
+                 (S.Scene, Quality, Drawn'Address, Largest_Image);
+            end if;
+            Again := False;
+            if Length > 0 then
+               Size := Image_Length (Length);
+               Bare := False;
+               if Studio.Current_Mode = Garbage then
+                  Spoil (Drawn, Size, Bare, S.Number);
+               else
+                  Again := Wanted.Width * Wanted.Height > Largest_Alive;
+               end if;
+               Studio.Publish (S, Drawn, Size, Bare);
+            end if;
 
+            Due := Due + 1_000_000_000
+              / Instant (Studio.Configuration.Value (Camera_Fps));
+            if Due < Now then
+               Due := Now;
+               --  Too slow: images are left out, not made up for
+            end if;
+            delay Due - Now;
+         end loop;
+      end loop;
+   exception
+      when Failure : others =>
+         Ada.Text_IO.Put_Line
+           (Ada.Text_IO.Standard_Error,
+            "destijl_emulator: the camera failed: "
+            & Ada.Exceptions.Exception_Information (Failure));
+   end Painter;
+
+   procedure Serve_Viewer (Who : Viewer_Number; Socket : Socket_Type) is
+      --  One connection from beginning to end. Socket_Error where it breaks.
+
+      NL : constant String := (ASCII.CR, ASCII.LF);
+
+      procedure Send (Data : Stream_Element_Array) is
+         --  All of it, or Socket_Error
+         First : Stream_Element_Offset := Data'First;
+         Last  : Stream_Element_Offset;
+      begin
+         while First <= Data'Last loop
+            Send_Socket (Socket, Data (First .. Data'Last), Last);
+            if Last < First then
+               raise Socket_Error with "nothing taken";
+            end if;
+            First := Last + 1;
+         end loop;
+      end Send;
+
+      procedure Send (Text : String) is
+         Data : Stream_Element_Array (1 .. Text'Length)
+           with Import, Address => Text'Address;
+      begin
+         Send (Data);
+      end Send;
+
+      function Is_Gone return Boolean is
+         --  The viewer has closed
+         Files : Libc.Poll_Array (1 .. 1) :=
+           (1 => (int (To_C (Socket)), Libc.Poll_Hang_Up, 0));
+      begin
+         Polls.Wait (Files, 0.0);
+         return Files (1).Returned /= 0;
+      end Is_Gone;
+
+      procedure Make_Wait is
+         --  As long as opening the camera takes, unless the viewer goes
+         Step : constant Duration := 0.05;
+         Left : Duration :=
+           Duration (Studio.Configuration.Value (Camera_Opening)) / 1_000;
+      begin
+         while Left > 0.0 and then not Is_Gone loop
+            delay Duration'Min (Left, Step);
+            Left := Left - Step;
+         end loop;
+      end Make_Wait;
+
+      procedure Next_Image
+        (Length : in out Image_Length; Bare : in out Boolean)
+      is
+         --  Waits for it. Where drawing takes more than a second, on a busy
+         --  machine, the last one comes again: a camera has its own processor.
+         --  0: the camera is off, or the viewer has gone.
+         Waited : Natural := 0;
+      begin
+         loop
+            select
+               Studio.Next (Who) (Copies (Who), Length, Bare);
+               return;
+            or
+               delay 0.6;
+               if Is_Gone then
+                  Bare   := False;
+                  Length := 0;
+                  return;
+               end if;
+               Waited := (if Studio.Current_Mode = On then Waited + 1 else 0);
+               exit when Waited = 2 and then Length > 0;
+            end select;
+         end loop;
+      end Next_Image;
+
+      procedure Read_Path (Path : out Unbounded_String) is
+         --  Of a GET request; "" where it is anything else
+         Room   : constant := 4_096;
+         Text   : String (1 .. Room);
+         Data   : Stream_Element_Array (1 .. Room)
+           with Import, Address => Text'Address;
+         Last   : Stream_Element_Offset := 0;
+         Filled : Natural := 0;
+         Stop   : Natural;
+      begin
+         Path := Null_Unbounded_String;
+         loop
+            Receive_Socket (Socket, Data (Last + 1 .. Room), Last);
+            exit when Natural (Last) = Filled;
+            Filled := Natural (Last);
+            exit when Ada.Strings.Fixed.Index
+              (Text (1 .. Filled), NL & NL) > 0
+              or else Filled = Room;
+         end loop;
+
+         if Filled >= 4 and then Text (1 .. 4) = "GET " then
+            Stop := Ada.Strings.Fixed.Index (Text (5 .. Filled), " ");
+            if Stop > 0 then
+               Path := To_Unbounded_String (Text (5 .. Stop - 1));
+            end if;
+         end if;
+      end Read_Path;
+
+      procedure Reply (Status, Kind : String; Length : Image_Length) is
+         --  The head
+      begin
+         Send ("HTTP/1.0 " & Status & NL
+               & "Content-Type: " & Kind & NL
+               & "Content-Length:" & Length'Image & NL
+               & "Cache-Control: no-store" & NL
+               & "Connection: close" & NL & NL);
+      end Reply;
+
+      procedure Reply (Status, Text : String) is
+      begin
+         Reply (Status, "text/plain", Text'Length + 1);
+         Send (Text & ASCII.LF);
+      end Reply;
+
+      procedure Send_Image (Length : Image_Length) is
+         Data : Stream_Element_Array (1 .. Length)
+           with Import, Address => Copies (Who)'Address;
+      begin
+         Send (Data);
+      end Send_Image;
+
+      Path    : Unbounded_String;
+      Length  : Image_Length := 0;
+      Bare    : Boolean := False;
+      Allowed : Boolean;
+
+   begin
+      Configure (Socket);
+      Read_Path (Path);
+
+      if Path = "/pose" then
+         declare
+            Time : constant Instant := Now;
+            Sees : Choice := Studio.Configuration;
          begin
-            Serve_Viewer (Number, Peer);
-         exception
-            when others =>
-               null;
-               --  The viewer has gone, or talks nonsense: the next one
+            Sees.Value (Camera_Delay) := 0;
+            Reply ("200 OK",
+                   Truth ((Scene_Now (Time, 0, Sees),
+                           Studio.Newest.Number, Time)));
          end;
 
+      elsif Path = "/stream.mjpg" or else Path = "/snapshot.jpg" then
+         Make_Wait;
+         Studio.Begin_Watching (Who, Allowed);
+         if not Allowed then
+            Reply ("503 Service Unavailable",
+                   "the camera is off, or has its 8 viewers");
+            return;
+         end if;
+         if Path = "/snapshot.jpg" then
+            Next_Image (Length, Bare);
+            Reply ("200 OK", "image/jpeg", Length);
+            Send_Image (Length);
+            return;
+         end if;
+         Send ("HTTP/1.0 200 OK" & NL
+               & "Content-Type: "
+               & "multipart/x-mixed-replace; boundary=frame" & NL
+               & "Cache-Control: no-store" & NL
+               & "Connection: close" & NL & NL);
+         loop
+            Next_Image (Length, Bare);
+            exit when Length = 0;
+            if not Bare then
+               Send ("--frame" & NL
+                     & "Content-Type: image/jpeg" & NL
+                     & "Content-Length:" & Length'Image & NL & NL);
+            end if;
+            Send_Image (Length);
+            Send (NL);
+         end loop;
+
+      elsif Path = "" then
+         Reply ("400 Bad Request", "GET only");
+      else
+         Reply ("404 Not Found", "/stream.mjpg /snapshot.jpg /pose");
+      end if;
+   end Serve_Viewer;
+
+   protected body Studio is
+
+      procedure Begin_Watching (Who : Viewer_Number; Allowed : out Boolean) is
+      begin
+         Allowed := Mode /= Off and then Lookers < Max_Viewers;
+         if Allowed then
+            Looking (Who) := True;
+            Fresh (Who)   := False;
+            Lookers       := Lookers + 1;
+         end if;
+      end Begin_Watching;
+
+      function Configuration return Choice is (Chosen);
+
+      function Current_Mode return Mode_Kind is (Mode);
+
+      function Has_Work return Boolean is
+        (Ready and then Lookers > 0 and then Mode in On | Garbage);
+
+      procedure Leave (Who : Viewer_Number) is
+      begin
+         if Looking (Who) then
+            Looking (Who) := False;
+            Lookers       := Lookers - 1;
+         end if;
+      end Leave;
+
+      procedure Mend is
+      begin
+         Mode   := On;
+         Chosen := Usual;
+      end Mend;
+
+      function Newest return Shot is (Last);
+
+      entry Next (for Who in Viewer_Number)
+        (Data : out Image; Length : out Image_Length; Bare : out Boolean)
+        when Fresh (Who) or else Mode = Off is
+      begin
+         Bare := Is_Bare;
+         Fresh (Who) := False;
+         if Mode = Off then
+            Length := 0;
+         else
+            Length := Size;
+            Data (1 .. Size) := Picture (1 .. Size);
+         end if;
+      end Next;
+
+      procedure Open is
+      begin
+         Usual := Chosen;
+         Ready := True;
+      end Open;
+
+      procedure Publish
+        (S : Shot; Data : Image; Length : Image_Length; Bare : Boolean) is
+      begin
+         if Mode in On | Garbage then
+            Last    := S;
+            Size    := Length;
+            Is_Bare := Bare;
+            Picture (1 .. Length) := Data (1 .. Length);
+            Fresh   := Looking;
+         end if;
+      end Publish;
+
+      procedure Set (Kind : Settings.Camera_Kind; Value : Integer) is
+      begin
+         Chosen.Value (Kind) := Value;
+      end Set;
+
+      procedure Set_Size (Width, Height : Positive) is
+      begin
+         Chosen.Width  := Width;
+         Chosen.Height := Height;
+      end Set_Size;
+
+      procedure Set_Mode (New_Mode : Mode_Kind) is
+      begin
+         Mode := New_Mode;
+      end Set_Mode;
+
+      entry Wait_For_Work when Has_Work is
+      begin
+         null;
+      end Wait_For_Work;
+
+      function Watching return Natural is (Lookers);
+
+   end Studio;
+
+   task body Viewer is
+      Server, Peer : Socket_Type;
+      Number       : Viewer_Number;
+      From         : Sock_Addr_Type;
+   begin
+      accept Start (Server : Socket_Type; Who : Viewer_Number) do
+         Viewer.Server := Server;
+         Number := Who;
+      end Start;
+      loop
          begin
-            Shutdown_Socket (Peer);
-         exception
-            when Socket_Error =>
-               null;
-               --  It has closed first
-         end;
-         begin
+            Accept_Socket (Server, Peer, From);
+            begin
+               Serve_Viewer (Number, Peer);
+               Shutdown_Socket (Peer);
+            exception
+               when others =>
+                  null;
+                  --  The viewer has gone, or talks nonsense: the next one
+            end;
+            Studio.Leave (Number);
             Close_Socket (Peer);
          exception
             when Socket_Error =>
-               null;
+               delay 0.1;
+               --  Perhaps out of descriptors, temporarily
          end;
-         Studio.Leave (Number);
       end loop;
    end Viewer;
 
@@ -706,28 +651,26 @@ package body Arena_Camera is
       Studio.Mend;
    end Mend;
 
-   function Configuration return Settings is (Studio.Configuration);
-
-   procedure Configure (S : Settings) is
+   procedure Set (Kind : Settings.Camera_Kind; Value : Integer) is
    begin
-      Studio.Configure (S);
-   end Configure;
+      Studio.Set (Kind, Value);
+   end Set;
+
+   procedure Set_Size (Width, Height : Positive) is
+   begin
+      Studio.Set_Size (Width, Height);
+   end Set_Size;
 
    procedure Set_Mode (Mode : Mode_Kind) is
    begin
       Studio.Set_Mode (Mode);
    end Set_Mode;
 
-   procedure Start
-     (Port    : Natural;
-      S       : Settings;
-      Actual  : out Natural;
-      Problem : out Unbounded_String)
+   procedure Start (Port : in out Natural; Problem : out Unbounded_String)
    is
       Server  : Socket_Type;
       Address : Sock_Addr_Type;
    begin
-      Actual  := 0;
       Problem := Null_Unbounded_String;
       Address.Addr := Inet_Addr ("127.0.0.1");
       Address.Port := Port_Type (Port);
@@ -736,9 +679,11 @@ package body Arena_Camera is
         (Server, Socket_Level, (Reuse_Address, Enabled => True));
       Bind_Socket (Server, Address);
       Listen_Socket (Server, Length => Max_Connections);
-      Actual := Natural (Get_Socket_Name (Server).Port);
-      Studio.Prepare (S);
-      Doorman.Start (Server);
+      Port := Natural (Get_Socket_Name (Server).Port);
+      Studio.Open;
+      for Who in Viewer_Number loop
+         Viewer_Tasks (Who).Start (Server, Who);
+      end loop;
    exception
       when Failure : Socket_Error =>
          Problem := To_Unbounded_String

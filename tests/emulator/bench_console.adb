@@ -1,24 +1,24 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
 --  The commands on standard input.
 
+with Ada.Characters.Handling; use Ada.Characters.Handling;
 with Ada.Exceptions;
 with Ada.Strings.Fixed;     use Ada.Strings.Fixed;
 with Ada.Strings.Maps;
 with Ada.Strings.Unbounded; use Ada.Strings.Unbounded;
 with Interfaces.C;          use Interfaces.C;
 
-with Answer_Faults;
 with Arena_Camera;
 with Instants;              use Instants;
 with Journals;
 with Libc;
+with Plain_Numbers;         use Plain_Numbers;
 with Polls;
-with Readings;              use Readings;
 with Robot_Bench;           use Robot_Bench;
 with Robot_Core;
 with Robot_Motion;
 with Serial_Side;
-with Settings;
+with Settings;              use Settings;
 with Stop_Signals;
 
 package body Bench_Console is
@@ -35,28 +35,46 @@ package body Bench_Console is
       entry Start;
    end Reader;
 
-   procedure Obey_Camera (Name, Rest : String) is
-      --  A command to the camera that takes a value
-      use Arena_Camera;
-      S : Arena_Camera.Settings := Configuration;
+   function Bytes (Text : String) return Robot_Core.Octets is
+      --  Characters, with the usual escapes \r, \n, \\ and \xHH
+      Most   : constant := 256;
+      Result : Robot_Core.Octets (1 .. Text'Length);
+      Last   : Natural := 0;
+      Next   : Positive := Text'First;
    begin
-      if Name = "size" then
-         Size (Rest, S.Width, S.Height);
-      elsif Name = "fps" then
-         S.Rate := Whole (Rest, Frame_Rate'First, Frame_Rate'Last);
-      elsif Name = "opening" then
-         S.Opening := Whole (Rest, 0, Opening_Time'Last);
-      elsif Name = "delay" then
-         S.Late := Whole (Rest, Delay_Time'First, Delay_Time'Last);
-      elsif Name = "position-noise" then
-         S.Displaced := Whole (Rest, Displacement'First, Displacement'Last);
-      else
-         raise Bad_Value with
-           "on, off, stall, garbage, size, fps, opening, delay,"
-           & " position-noise or mend is expected";
+      while Next <= Text'Last loop
+         Last := Last + 1;
+         if Text (Next) /= '\' then
+            Result (Last) := Character'Pos (Text (Next));
+         else
+            Next := Next + 1;
+            case Text (Next) is
+               when 'r' => Result (Last) := 16#0D#;
+               when 'n' => Result (Last) := 16#0A#;
+               when '\' => Result (Last) := Character'Pos ('\');
+               when 'x' =>
+                  Result (Last) := Robot_Core.Octet'Value
+                    ("16#" & Text (Next + 1 .. Next + 2) & "#");
+                  Next := Next + 2;
+               when others => raise Constraint_Error;
+            end case;
+         end if;
+         Next := Next + 1;
+      end loop;
+      if Last not in 1 .. Most then
+         raise Constraint_Error;
       end if;
-      Configure (S);
-   end Obey_Camera;
+      return Result (1 .. Last);
+   exception
+      when Constraint_Error =>
+         raise Bad_Value with
+           "1 to 256 bytes are expected, after a backslash r, n, \ or xHH";
+   end Bytes;
+
+   function Decimal (Value : Robot_Motion.Micro; Unit : Positive)
+     return String
+   is (Plain_Numbers.Rounded (Float (Value) / Float (Unit), 3));
+   --  Value / Unit with three decimals
 
    procedure Print_Journal is
       Note   : Journals.Note;
@@ -71,57 +89,24 @@ package body Bench_Console is
       end loop;
    end Print_Journal;
 
-   procedure Print_Help is
-   begin
-      Say ("silent on|off        no answer at all");
-      Say ("lose N               the next N commands do not arrive");
-      Say ("lose-every N         every Nth does not; 0: all do");
-      Say ("drop N               the next N answers are lost");
-      Say ("drop-every N         every Nth is lost; 0: none");
-      Say ("corrupt N            ... have a wrong checksum");
-      Say ("garbage N            ... are random bytes instead");
-      Say ("truncate N [KEEP]    ... lack their carriage return, or are");
-      Say ("                     cut after KEEP bytes");
-      Say ("flip N [BIT]         ... have one bit flipped: the first that");
-      Say ("                     one, each its next");
-      Say ("wrong N              ... answer another question");
-      Say ("pile N               ... are held, and come with the last");
-      Say ("endless on|off       the next answer does not end");
-      Say ("delay MS             every answer is late");
-      Say ("radio-losses N       N percent of the packets are lost, each");
-      Say ("                     direction (--radio)");
-      Say ("radio-bursts N       N percent begin a burst of retries");
-      Say ("mend                 none of these any more");
-      Say ("radio-retries N      percent of attempts repeated (--radio)");
-      Say ("unasked BYTES        sends them now; \r, \n, \\, \xHH");
-      Say ("hangup               the device goes away");
-      Say ("return               and comes back, as a new one");
-      Say ("device               its path");
-      Say ("battery LEVEL        0, 1, 2, or critical: silent, off in 4 s; or "
-           & "its volts");
-      Say ("charge on|off        the charger's plug");
-      Say ("pose X Y HEADING     puts the robot there: cm, degrees");
-      Say ("speed N              percent straight on, 3 to 200; this and");
-      Say ("                     the next three from the next order on");
-      Say ("turn-speed N         percent of turns, 3 to 200");
-      Say ("overshoot N          turns go on by N percent, 0 to 20");
-      Say ("pull N               degrees to the left per metre, -30 to 30");
-      Say ("reset-robot          switches it off and on");
-      Say ("starve               its watchdog, if on, disables it");
-      Say ("camera on|off|stall  off: closed; stall: no image comes");
-      Say ("camera garbage       what comes is no image");
-      Say ("camera size WxH      1x1 to 4096x2304, from the next image on");
-      Say ("camera fps N         1 to 240");
-      Say ("camera opening MS    it takes so long to open");
-      Say ("camera delay MS      images show the robot so long ago");
-      Say ("camera position-noise PX");
-      Say ("                     each displaces the robot, 0 to 10");
-      Say ("camera mend          on, and all of these as at first");
-      Say ("status               one line");
-      Say ("journal              every command since it was cleared");
-      Say ("journal clear");
-      Say ("quit                 as SIGTERM does");
-   end Print_Help;
+   Help : constant String :=
+     Settings.Names ("")
+     & "mend                   no fault of the line any more" & ASCII.LF
+     & "unasked BYTES          sends them now; \r, \n, \\, \xHH" & ASCII.LF
+     & "hangup                 the device goes away" & ASCII.LF
+     & "return                 and comes back, as a new one" & ASCII.LF
+     & "device                 its path" & ASCII.LF
+     & "reset-robot            switches it off and on" & ASCII.LF
+     & "starve                 its watchdog, if on, disables it" & ASCII.LF
+     & "camera on|off|stall    off: closed; stall: no image comes" & ASCII.LF
+     & "camera garbage         what comes is no image" & ASCII.LF
+     & "camera mend            on, and all of it as at first" & ASCII.LF
+     & "camera size ...        also fps, opening and delay" & ASCII.LF
+     & "status                 one line" & ASCII.LF
+     & "journal                every command since it was cleared" & ASCII.LF
+     & "journal clear" & ASCII.LF
+     & "quit                   as SIGTERM does" & ASCII.LF
+     & "and silent, endless and charge take on or off";
 
    function Status return String is
       use type Robot_Core.State_Kind;
@@ -129,37 +114,34 @@ package body Bench_Console is
       R : Robot_Core.Robot;
       P : Robot_Motion.Pose;
 
-      function Plain (Value : Natural) return String is
-        (Trim (Value'Image, Ada.Strings.Left));
-
       function Switch (Value : Boolean) return String is
         (if Value then "on" else "off");
    begin
-      Look (R, Now);
+      Bench.Look (R, Now, Ago => 0);
       P := Robot_Core.Pose (R);
       return "state=" & Journals.Image (Robot_Core.State (R))
-        & " x=" & Image (P.X, 10_000)
-        & " y=" & Image (P.Y, 10_000)
-        & " heading=" & Image (P.Angle, 1_000_000)
+        & " x=" & Decimal (P.X, 10_000)
+        & " y=" & Decimal (P.Y, 10_000)
+        & " heading=" & Decimal (P.Angle, 1_000_000)
         & " moving="
         & (if Robot_Core.State (R) = Robot_Core.Movement then "1" else "0")
         & " watchdog=" & Switch (Robot_Core.Watchdog_On (R))
-        & " missed=" & Plain (Robot_Core.Missed (R))
-        & " missed_total=" & Plain (Robot_Core.Missed_Total (R))
-        & " disabled_count=" & Plain (Robot_Core.Disabled_Count (R))
+        & " missed=" & Image (Robot_Core.Missed (R))
+        & " missed_total=" & Image (Robot_Core.Missed_Total (R))
+        & " disabled_count=" & Image (Robot_Core.Disabled_Count (R))
         & " battery="
         & (case Robot_Core.Battery (R) is
               when Robot_Core.Critical => "critical",
               when Robot_Core.Empty    => "0",
               when Robot_Core.Low      => "1",
               when Robot_Core.Full     => "2")
-        & " commands=" & Plain (Robot_Core.Commands (R))
-        & " stops=" & Plain (Robot_Core.Stops (R))
-        & " spoilt=" & Plain (Bench.Spoilt)
+        & " commands=" & Image (Robot_Core.Commands (R))
+        & " stops=" & Image (Robot_Core.Stops (R))
+        & " spoilt=" & Image (Bench.Spoilt)
         & " charging=" & Switch (Robot_Core.Charging (R))
         & " device=" & Serial_Side.Device
-        & " viewers=" & Plain (Arena_Camera.Viewers)
-        & " frames=" & Plain (Arena_Camera.Frames);
+        & " viewers=" & Image (Arena_Camera.Viewers)
+        & " frames=" & Image (Arena_Camera.Frames);
    end Status;
 
    procedure Must_Be (Outcome : String) is
@@ -170,46 +152,10 @@ package body Bench_Console is
       end if;
    end Must_Be;
 
-   procedure No_More (Rest : String) is
-      --  Bad_Value unless it is ""
-   begin
-      if Rest /= "" then
-         raise Bad_Value with "takes no value";
-      end if;
-   end No_More;
-
    procedure Obey (Name, Rest : String; Answer : in out Unbounded_String) is
       --  The same; Bad_Value says what is wrong. Answer: if not "ok".
-      Stop : constant Natural := Index (Rest & " ", Blanks);
-
-      function Second (Highest, Default : Natural) return Natural is
-        (if Stop > Rest'Last then Default
-         else Whole (Trim (Rest (Stop .. Rest'Last), Blanks, Blanks),
-                     0, Highest));
-
-      Wheels : Robot_Motion.Wheel_Errors := Bench.Wheels;
-
-      function Is_Fault return Boolean is
-         --  Then it is set
-      begin
-         for Kind in Fault_Command loop
-            if Is_Word_Of (Name, Kind) then
-               if Kind = Truncate then
-                  Bench.Set
-                    (Kept_Bytes, Second (Robot_Core.Answer_Length'Last, 0));
-               elsif Kind = Flip and then Stop < Rest'Last then
-                  Bench.Set (Bit, Second (Answer_Faults.Bit_Number'Last, 0));
-               end if;
-               Bench.Set (Kind,
-                          Fault_Value
-                            (Kind,
-                             (if Kind in Truncate | Flip
-                              then Rest (Rest'First .. Stop - 1) else Rest)));
-               return True;
-            end if;
-         end loop;
-         return False;
-      end Is_Fault;
+      Stop  : constant Natural := Index (Rest & " ", Blanks);
+      Known : Boolean;
 
       procedure Say_Device is
       begin
@@ -217,108 +163,54 @@ package body Bench_Console is
       end Say_Device;
 
    begin
-      if Is_Fault then
-         null;
-      elsif Name = "mend" then
-         No_More (Rest);
-         Bench.Mend;
-      elsif Name = "delay" then
-         Bench.Set_Delay (Instant (Whole (Rest, 0, Settings.Largest_Delay))
-                          * 1_000_000);
-
-      elsif Name = "unasked" then
-         if Rest = "" then
-            raise Bad_Value with "bytes are expected";
+      Settings.Set (Name, Rest, Known);
+      if Known then
+         return;
+      elsif Name = "camera" then
+         for Mode in Arena_Camera.Mode_Kind loop
+            if Rest = To_Lower (Mode'Image) then
+               Arena_Camera.Set_Mode (Mode);
+               return;
+            end if;
+         end loop;
+         if Rest = "mend" then
+            Arena_Camera.Mend;
+            return;
          end if;
+         Settings.Set
+           ("camera-" & Rest (Rest'First .. Stop - 1),
+            Trim (Rest (Stop .. Rest'Last), Blanks, Blanks), Known);
+         if not Known then
+            raise Bad_Value with "unknown; try help";
+         end if;
+      elsif Name = "unasked" then
          Must_Be (Serial_Side.Send_Unasked (Bytes (Rest)));
+      elsif Name = "journal" and then Rest = "clear" then
+         Bench.Clear_Journal;
+      elsif Rest /= "" then
+         raise Bad_Value with "unknown, or takes no value; try help";
+      elsif Name = "mend" then
+         Bench.Mend;
       elsif Name = "hangup" then
-         No_More (Rest);
          Must_Be (Serial_Side.Hang_Up);
       elsif Name = "return" then
-         No_More (Rest);
          Must_Be (Serial_Side.Put_Back);
          Say_Device;
       elsif Name = "device" then
-         No_More (Rest);
          Say_Device;
-
-      elsif Name = "battery" then
-         Bench.Set_Battery (Battery (Rest));
-      elsif Name = "charge" then
-         Bench.Set_Charging (On_Or_Off (Rest));
       elsif Name = "reset-robot" then
-         No_More (Rest);
          Bench.Switch_On;
       elsif Name = "starve" then
-         No_More (Rest);
          Bench.Starve;
-      elsif Name = "pose" then
-         declare
-            First  : constant Natural := Index (Rest, " ");
-            Second : constant Natural :=
-              (if First > 0 then Index (Rest, " ", Rest'Last,
-                                        Ada.Strings.Backward) else 0);
-         begin
-            if Second <= First then
-               raise Bad_Value with "X Y HEADING are expected";
-            end if;
-            Bench.Place
-              (Pose (Rest (Rest'First .. First - 1),
-                     Trim (Rest (First + 1 .. Second - 1), Blanks, Blanks),
-                     Rest (Second + 1 .. Rest'Last)));
-         end;
-
-      elsif Name = "speed" then
-         Wheels.Speed := Whole (Rest, Robot_Motion.Speed_Percent'First,
-                                Robot_Motion.Speed_Percent'Last);
-         Bench.Set_Wheels (Wheels);
-      elsif Name = "turn-speed" then
-         Wheels.Turn_Speed := Whole (Rest, Robot_Motion.Speed_Percent'First,
-                                     Robot_Motion.Speed_Percent'Last);
-         Bench.Set_Wheels (Wheels);
-      elsif Name = "overshoot" then
-         Wheels.Overshoot := Whole (Rest, Robot_Motion.Overshoot_Percent'First,
-                                    Robot_Motion.Overshoot_Percent'Last);
-         Bench.Set_Wheels (Wheels);
-      elsif Name = "pull" then
-         Wheels.Pull := Whole (Rest, Robot_Motion.Pull_Angle'First,
-                               Robot_Motion.Pull_Angle'Last);
-         Bench.Set_Wheels (Wheels);
-
-      elsif Name = "camera" then
-         if Rest = "stall" then
-            Arena_Camera.Set_Mode (Arena_Camera.Stalled);
-         elsif Rest = "on" then
-            Arena_Camera.Set_Mode (Arena_Camera.On);
-         elsif Rest = "off" then
-            Arena_Camera.Set_Mode (Arena_Camera.Off);
-         elsif Rest = "garbage" then
-            Arena_Camera.Set_Mode (Arena_Camera.Garbage);
-         elsif Rest = "mend" then
-            Arena_Camera.Mend;
-         else
-            Obey_Camera (Rest (Rest'First .. Stop - 1),
-                         Trim (Rest (Stop .. Rest'Last), Blanks, Blanks));
-         end if;
-
       elsif Name = "status" then
-         No_More (Rest);
          Answer := To_Unbounded_String (Status);
       elsif Name = "journal" then
-         if Rest = "" then
-            Print_Journal;
-            Answer := To_Unbounded_String ("end");
-         elsif Rest = "clear" then
-            Bench.Clear_Journal;
-         else
-            raise Bad_Value with "takes nothing, or clear";
-         end if;
+         Print_Journal;
+         Answer := To_Unbounded_String ("end");
       elsif Name = "help" then
-         No_More (Rest);
-         Print_Help;
+         Say (Help);
          Answer := To_Unbounded_String ("end");
       elsif Name = "quit" then
-         No_More (Rest);
          Stop_Signals.Stop.Request;
       elsif Name = "" then
          Answer := Null_Unbounded_String;

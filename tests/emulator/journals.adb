@@ -29,22 +29,6 @@ package body Journals is
       return Result (1 .. Last);
    end Text;
 
-   function Milliseconds (Time : Instant) return String;
-   --  With three decimals
-
-   procedure Add (J : in out Journal; N : Note) is
-   begin
-      J.Notes (J.Next mod Capacity) := N;
-      if J.Next < Note_Number'Last then
-         J.Next := J.Next + 1;
-      end if;
-   end Add;
-
-   procedure Clear (J : in out Journal) is
-   begin
-      J.Cleared := J.Next - 1;
-   end Clear;
-
    function Decimals
      (Value : Instant; Unit, Digit_Count : Positive) return String
    is
@@ -59,6 +43,22 @@ package body Journals is
         & Whole (Whole'First + 1 .. Whole'Last)
         & '.' & Part (Part'First + 2 .. Part'Last);
    end Decimals;
+
+   function Milliseconds (Time : Instant) return String is
+     (Decimals (Time, Unit => 1_000, Digit_Count => 3));
+
+   procedure Add (J : in out Journal; N : Note) is
+   begin
+      J.Notes (J.Next mod Capacity) := N;
+      if J.Next < Note_Number'Last then
+         J.Next := J.Next + 1;
+      end if;
+   end Add;
+
+   procedure Clear (J : in out Journal) is
+   begin
+      J.Cleared := J.Next - 1;
+   end Clear;
 
    procedure Find
      (J     : Journal;
@@ -118,8 +118,5 @@ package body Journals is
 
    function Image (State : Robot_Core.State_Kind) return String is
      (Ada.Characters.Handling.To_Lower (State'Image));
-
-   function Milliseconds (Time : Instant) return String is
-     (Decimals (Time, Unit => 1_000, Digit_Count => 3));
 
 end Journals;

@@ -4,10 +4,22 @@
 package body Robot_Bench is
 
    use Robot_Core;
+   use all type Settings.Kind;
 
    use type Answer_Faults.Effect_Kind;
 
+   Empty_Past : Robot_Pasts.Past;
+
    protected body Bench is
+
+      procedure Begin_Life
+        (Boot : Robot_Core.Tick_Count; Stay_On : Boolean) is
+      begin
+         Boot_Time := Boot;
+         Stays_On := Stay_On;
+         Past := Empty_Past;
+         Switch_On;
+      end Begin_Life;
 
       procedure Babble (Byte : out Octet; Present : out Boolean) is
       begin
@@ -96,16 +108,15 @@ package body Robot_Bench is
          end if;
       end Let_Time_Pass;
 
-      procedure Look (Robot : out Robot_Core.Robot) is
+      procedure Look (Robot : out Robot_Core.Robot; Time, Ago : Instant) is
       begin
-         Robot := The_Robot;
+         if Ago = 0 then
+            Robot := The_Robot;
+            Advance_To (Robot, Robot_Time (Time));
+         else
+            Robot := Robot_Pasts.Robot_At (Past, Robot_Time (Time - Ago));
+         end if;
       end Look;
-
-      procedure Look_Back
-        (Robot : out Robot_Core.Robot; Time : Robot_Core.Time_Point) is
-      begin
-         Robot := Robot_Pasts.Robot_At (Past, Time);
-      end Look_Back;
 
       procedure Mend is
       begin
@@ -155,63 +166,47 @@ package body Robot_Bench is
          Robot_Pasts.Add (Past, The_Robot);
       end Place;
 
-      procedure Set_Battery (Voltage : Centivolts) is
+      procedure Set (Kind : Settings.Robot_Kind; Value : Integer) is
+         Errors : Robot_Motion.Wheel_Errors := Wheels (The_Robot);
       begin
          Let_Time_Pass;
-         Set_Battery (The_Robot, Voltage);
-         Robot_Pasts.Add (Past, The_Robot);
-      end Set_Battery;
-
-      procedure Set_Charging (Plugged : Boolean) is
-      begin
-         Let_Time_Pass;
-         Set_Charging (The_Robot, Plugged);
-         Robot_Pasts.Add (Past, The_Robot);
-      end Set_Charging;
-
-      procedure Set_Delay (Value : Instant) is
-      begin
-         Held_Back := Value;
-      end Set_Delay;
-
-      procedure Set (Kind : Fault_Kind; Value : Natural) is
-      begin
          case Kind is
-            when Lose          => Faults.Lose := Value;
-            when Lose_Every    =>
-               Faults.Lose_Every  := Value;
-               Faults.Lose_Passed := 0;
-            when Drop          => Faults.Drop := Value;
-            when Drop_Every    =>
-               Faults.Every  := Value;
-               Faults.Passed := 0;
-            when Corrupt       => Faults.Corrupt := Value;
-            when Garbage       => Faults.Garbage := Value;
-            when Truncate      => Faults.Truncate := Value;
-            when Radio_Losses  => Radios.Losses := Value;
-            when Radio_Bursts  => Radios.Bursts := Value;
-            when Radio_Retries => Radios.Retries := Value;
-            when Flip          => Faults.Flip := Value;
-            when Wrong         => Faults.Wrong := Value;
-            when Pile          => Faults.Pile := Value;
-            when Silent        => Faults.Silent := Value > 0;
-            when Endless       =>
+            when Silent         => Faults.Silent := Value > 0;
+            when Endless        =>
                Faults.Endless := Value > 0;
                Babbling := Babbling and then Value > 0;
-            when Kept_Bytes    => Faults.Keep := Value;
-            when Bit           => Faults.Bit := Value;
+            when Lose           => Faults.Lose := Value;
+            when Lose_Every     =>
+               Faults.Lose_Every  := Value;
+               Faults.Lose_Passed := 0;
+            when Drop           => Faults.Drop := Value;
+            when Drop_Every     =>
+               Faults.Every  := Value;
+               Faults.Passed := 0;
+            when Garbage        => Faults.Garbage := Value;
+            when Truncate       => Faults.Truncate := Value;
+            when Corrupt        => Faults.Corrupt := Value;
+            when Flip           => Faults.Flip := Value;
+            when Wrong          => Faults.Wrong := Value;
+            when Pile           => Faults.Pile := Value;
+            when Kept_Bytes     => Faults.Keep := Value;
+            when Bit            => Faults.Bit := Value;
+            when Answer_Delay   => Held_Back := Instant (Value) * 1_000_000;
+            when Radio_Losses   => Radios.Losses := Value;
+            when Radio_Bursts   => Radios.Bursts := Value;
+            when Radio_Retries  => Radios.Retries := Value;
+            when Battery        => Set_Battery (The_Robot, Value);
+            when Charge         => Set_Charging (The_Robot, Value > 0);
+            when Speed          => Errors.Speed := Value;
+            when Turn_Speed     => Errors.Turn_Speed := Value;
+            when Overshoot      => Errors.Overshoot := Value;
+            when Pull           => Errors.Pull := Value;
          end case;
-      end Set;
-
-      procedure Stay_On is
-      begin
-         Stays_On := True;
-      end Stay_On;
-
-      procedure Set_Wheels (Errors : Robot_Motion.Wheel_Errors) is
-      begin
          Set_Wheels (The_Robot, Errors);
-      end Set_Wheels;
+         if Kind in Battery | Charge then
+            Robot_Pasts.Add (Past, The_Robot);
+         end if;
+      end Set;
 
       function Spoilt return Natural is (Spoilings);
 
@@ -222,12 +217,6 @@ package body Robot_Bench is
          Robot_Pasts.Add (Past, The_Robot);
       end Starve;
 
-      procedure Switch_On (Boot : Tick_Count) is
-      begin
-         Boot_Time := Boot;
-         Switch_On;
-      end Switch_On;
-
       procedure Switch_On is
       begin
          Let_Time_Pass;
@@ -236,22 +225,6 @@ package body Robot_Bench is
          In_Frame := False;
       end Switch_On;
 
-      function Wheels return Robot_Motion.Wheel_Errors is
-        (Wheels (The_Robot));
-
    end Bench;
-
-   procedure Look
-     (Robot   : out Robot_Core.Robot;
-      At_Time : Instant;
-      Ago     : Instant := 0) is
-   begin
-      if Ago = 0 then
-         Bench.Look (Robot);
-         Advance_To (Robot, Robot_Time (At_Time));
-      else
-         Bench.Look_Back (Robot, Robot_Time (At_Time - Ago));
-      end if;
-   end Look;
 
 end Robot_Bench;

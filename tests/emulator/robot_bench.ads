@@ -3,8 +3,8 @@
 --  console injects faults into its line, the camera observes it. Also
 --  records the exchanges.
 --
---  The robot's state is that of its last event. A reader takes a copy and
---  advances that in time, so that the serial line never waits.
+--  The robot's state is that of its last event. A reader gets a copy that is
+--  advanced in time.
 
 with Answer_Faults;
 with Instants;  use Instants;
@@ -13,6 +13,7 @@ with Radio_Links;
 with Robot_Core;
 with Robot_Motion;
 with Robot_Pasts;
+with Settings;
 
 package Robot_Bench is
 
@@ -23,27 +24,14 @@ package Robot_Bench is
    is (if Time <= Origin then 0
        else Robot_Core.Time_Point (Instant'(Time - Origin) / 1_000));
 
-   type Fault_Kind is
-     (Lose, Lose_Every, Drop, Drop_Every, Corrupt, Garbage, Truncate,
-      Radio_Losses, Radio_Bursts, Radio_Retries,
-      Flip, Wrong, Pile, Silent, Endless,
-      Kept_Bytes,   --  of Truncate
-      Bit);         --  of Flip
-   --  As in Answer_Faults.Plan and Radio_Links.Chances
-
-   subtype Fault_Option is Fault_Kind range Lose .. Radio_Retries;
-   subtype Fault_Command is Fault_Kind range Lose .. Endless;
-   --  What the command line and the console know, by these names
-
-   type Fault_Values is array (Fault_Option) of Natural;
-
    protected Bench is
 
-      procedure Switch_On (Boot : Robot_Core.Tick_Count);
-      --  Power-cycles the robot; Boot is the duration of its start-up
+      procedure Begin_Life (Boot : Robot_Core.Tick_Count; Stay_On : Boolean);
+      --  Switches the robot on, whose start-up takes Boot; what was before
+      --  has no past. Stay_On: somebody switches it on as soon as it is off
 
       procedure Switch_On;
-      --  The same, with the last duration
+      --  Power-cycles it
 
       procedure Hear
         (Byte    : Robot_Core.Octet;
@@ -65,39 +53,27 @@ package Robot_Bench is
 
       procedure Let_Time_Pass;
 
-      procedure Stay_On;
-      --  From now on somebody switches it on as soon as it is off
+      procedure Set (Kind : Settings.Robot_Kind; Value : Integer);
+      --  Value must be one that it can take; of the wheels: for the orders
+      --  from now on
 
       procedure Mend;
-      --  Removes all of the following faults
-
-      procedure Set (Kind : Fault_Kind; Value : Natural);
-      --  Silent, Endless: 0 or 1. Value must be one that the plan, or the
-      --  chances, can take
-      procedure Set_Delay (Value : Instant);
+      --  No fault of the line any more, and the chances of the radios as at
+      --  first but for their retries
 
       function Chances return Radio_Links.Chances;
       --  Of the radios, if there are any
 
-      procedure Set_Battery (Voltage : Robot_Core.Centivolts);
-      procedure Set_Charging (Plugged : Boolean);
       procedure Starve;
       --  The robot's watchdog disables it
       procedure Place (Pose : Robot_Motion.Pose);
-      procedure Set_Wheels (Errors : Robot_Motion.Wheel_Errors);
-      --  For the orders from now on
-      function Wheels return Robot_Motion.Wheel_Errors;
 
       procedure Clear_Journal;
 
-      procedure Look (Robot : out Robot_Core.Robot);
-      --  Its state at its last event
-
-      procedure Look_Back
-        (Robot : out Robot_Core.Robot; Time : Robot_Core.Time_Point);
-      --  As it was at Time. Before the newest 512 events (the first of all
-      --  is that it was put down at the start): as it was after the oldest
-      --  of them.
+      procedure Look (Robot : out Robot_Core.Robot; Time, Ago : Instant);
+      --  As it is at Time, unless that is past, or was Ago before. Before the
+      --  newest 512 events (the first of all is that it was switched on): as
+      --  it was after the oldest of them.
 
       function Spoilt return Natural;
       --  Number of commands lost, and of answers lost, changed or delayed
@@ -127,12 +103,5 @@ package Robot_Bench is
       First     : Instant := 0;   --  start of the frame
       Reloaded  : Instant := 0;   --  last reload, or start
    end Bench;
-
-   procedure Look
-     (Robot   : out Robot_Core.Robot;
-      At_Time : Instant;
-      Ago     : Instant := 0);
-   --  A copy, advanced to that time unless it is in the past. Ago: as it was
-   --  so long before.
 
 end Robot_Bench;

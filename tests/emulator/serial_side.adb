@@ -20,7 +20,7 @@ package body Serial_Side is
 
    use type Interfaces.Unsigned_32;
 
-   type Request_Kind is (Send, Hang, Return_Line, Finish);
+   type Request_Kind is (Send, Hang, Return_Line, Name, Finish);
 
    subtype Data_Length is Natural range 0 .. 256;
 
@@ -29,36 +29,13 @@ package body Serial_Side is
       Data : Robot_Core.Octets (1 .. Length);
    end record;
 
-   protected Desk is
-
-      entry Ask (R : Request);
-      procedure Take (R : out Request; Present : out Boolean);
-      procedure Answer (Text : Unbounded_String);
-      entry Wait (Text : out Unbounded_String);
-      procedure Set_Device (Name : Unbounded_String);
-      function Device_Name return Unbounded_String;
-
-   private
-      Waiting  : Boolean := False;   --  a request not yet taken
-      Answered : Boolean := False;
-      Busy     : Boolean := False;   --  from the request to its answer
-      Current  : Request;
-      Outcome  : Unbounded_String;
-      Device   : Unbounded_String := To_Unbounded_String ("-");
-   end Desk;
-   --  Where other tasks leave what they want of the line
-
    Bell : constant int := Eventfd (0, O_Nonblock + O_Cloexec);
-   --  Rung when a request is there
+   --  Rung when somebody is about to ask for something
 
    task Carrier is
-      entry Start
-        (Baud    : Baud_Rate;
-         Link    : String;
-         Socket  : Boolean;
-         Radio   : Boolean;
-         Seed    : Interfaces.Unsigned_32;
-         Problem : out Unbounded_String);
+      entry Start (Chosen : Choice; Problem : out Unbounded_String);
+      entry Obey (R : Request; Outcome : out Unbounded_String);
+      --  Outcome: the line's name, or what is wrong
    end Carrier;
 
    --  Bytes on their way
@@ -121,15 +98,17 @@ package body Serial_Side is
      (W.First.Data ((W.First.Head + W.Radios.Length) mod Room));
    --  The next byte for the radio
 
-   function Ask (R : Request) return String is
-      --  Leaves the request, wakes the task and waits for the outcome
+   function Ask
+     (Kind : Request_Kind; Data : Robot_Core.Octets := (1 .. 0 => 0))
+      return String
+   is
+      --  Its outcome
       One     : constant Interfaces.Unsigned_64 := 1;
       Ignored : long;
       Text    : Unbounded_String;
    begin
-      Desk.Ask (R);
       Ignored := Write (Bell, One'Address, One'Size / 8);
-      Desk.Wait (Text);
+      Carrier.Obey ((Data'Length, Kind, Data), Text);
       return To_String (Text);
    end Ask;
 
@@ -137,6 +116,9 @@ package body Serial_Side is
 
       Idle_Wait : constant Instant := 20_000_000;
       --  The robot is made to grow older at least this often
+
+      Asking : constant Instant := 1_000_000;
+      --  Whoever has rung is not yet there, and is not waited for: bytes go on
 
       Above_Tasks : constant := 50;
       --  A priority above every task of a supervisor on the same machine, as
@@ -146,10 +128,10 @@ package body Serial_Side is
       --  How late a byte is told to be
 
       The_Line  : Line;
-      Link_Path : Unbounded_String;
-      Is_Socket : Boolean := False;
+      Chosen    : Choice;
       Byte_Time : Instant := 0;
-      Has_Radio : Boolean := False;
+      Asked     : Boolean := False;
+      --  the bell has rung, and nobody has asked yet
       To_Robot  : Way;
       To_Client : Way;
 
@@ -160,7 +142,7 @@ package body Serial_Side is
          Byte    : Robot_Core.Octet;
          Present : Boolean;
       begin
-         if (if Has_Radio then To_Client.First.Until_When <= Now
+         if (if Chosen.Radio then To_Client.First.Until_When <= Now
              else To_Client.First.Count = 0)
          then
             Robot_Bench.Bench.Babble (Byte, Present);
@@ -218,11 +200,14 @@ package body Serial_Side is
          W.Radios := (Seed => W.Radios.Seed, others => <>);
       end Clear;
 
+      function Has_Link return Boolean is
+        (Chosen.Link /= "" and then not Chosen.Socket);
+
       procedure Close_Line is
       begin
          if Is_Open (The_Line) then
-            if Link_Path /= "" and then not Is_Socket then
-               Remove_Link (To_String (Link_Path), Device (The_Line));
+            if Has_Link then
+               Remove_Link (To_String (Chosen.Link), Device (The_Line));
             end if;
             Close (The_Line);
          end if;
@@ -275,8 +260,8 @@ package body Serial_Side is
       procedure Open_Line (Problem : out Unbounded_String) is
          Done : Boolean;
       begin
-         if Is_Socket then
-            Listen (The_Line, To_String (Link_Path), Done);
+         if Chosen.Socket then
+            Listen (The_Line, To_String (Chosen.Link), Done);
          else
             Open (The_Line, Done);
          end if;
@@ -285,70 +270,36 @@ package body Serial_Side is
             return;
          end if;
          Problem := Null_Unbounded_String;
-         if Link_Path /= "" and then not Is_Socket then
-            declare
-               Failure : constant String := Place_Link
-                 (To_String (Link_Path), Device (The_Line));
-            begin
-               if Failure /= "" then
-                  Close (The_Line);
-                  Problem := "no link at " & Link_Path & ": " & Failure;
-               end if;
-            end;
+         if Has_Link then
+            Problem := To_Unbounded_String
+              (Place_Link (To_String (Chosen.Link), Device (The_Line)));
+            if Problem /= "" then
+               Close (The_Line);
+               Problem := "no link at " & Chosen.Link & ": " & Problem;
+            end if;
          end if;
       end Open_Line;
 
-      procedure Publish is
+      procedure Serve (R : Request; Outcome : out Unbounded_String) is
       begin
-         Desk.Set_Device
-           (To_Unbounded_String
-              (if Is_Open (The_Line) then Device (The_Line) else "-"));
-      end Publish;
-
-      procedure Serve_Requests is
-         R       : Request;
-         Present : Boolean;
-         Problem : Unbounded_String;
-         Hung_Up : constant Unbounded_String :=
-           To_Unbounded_String ("the line is hung up");
-      begin
-         Desk.Take (R, Present);
-         if not Present then
-            return;
+         Outcome := Null_Unbounded_String;
+         if R.Kind = Return_Line and then not Is_Open (The_Line) then
+            Open_Line (Outcome);
+         elsif R.Kind = Return_Line then
+            Outcome := To_Unbounded_String ("the line is not hung up");
+         elsif R.Kind = Name then
+            Outcome := To_Unbounded_String
+              (if Is_Open (The_Line) then Device (The_Line) else "-");
+         elsif not Is_Open (The_Line) then
+            Outcome := To_Unbounded_String ("the line is hung up");
+         elsif R.Kind = Send then
+            for Byte of R.Data loop
+               Add (To_Client.First, Byte, From => Now, Time => Byte_Time);
+            end loop;
+         else
+            Close_Line;
          end if;
-
-         case R.Kind is
-            when Send =>
-               if Is_Open (The_Line) then
-                  for K in R.Data'Range loop
-                     Add (To_Client.First, R.Data (K), From => Now,
-                          Time => Byte_Time);
-                  end loop;
-               else
-                  Problem := Hung_Up;
-               end if;
-
-            when Hang =>
-               if Is_Open (The_Line) then
-                  Close_Line;
-               else
-                  Problem := Hung_Up & " already";
-               end if;
-
-            when Return_Line =>
-               if Is_Open (The_Line) then
-                  Problem := To_Unbounded_String ("the line is not hung up");
-               else
-                  Open_Line (Problem);
-               end if;
-
-            when Finish =>
-               Close_Line;
-         end case;
-
-         Publish;
-         Desk.Answer (Problem);
-      end Serve_Requests;
+      end Serve;
 
       procedure Transmit (Q : in out Queue) is
          Data    : Robot_Core.Octets (1 .. Room);
@@ -380,7 +331,7 @@ package body Serial_Side is
          Files   : Poll_Array (1 .. 2);
          Time    : constant Instant := Now;
          Wake_Up : constant Instant := Instant'Min
-           (Time + Idle_Wait,
+           (Time + (if Asked then Asking else Idle_Wait),
             Instant'Min (Next_Event (To_Robot), Next_Event (To_Client)));
          Rung    : Interfaces.Unsigned_64 := 0;
          Ignored : long;
@@ -397,35 +348,25 @@ package body Serial_Side is
          end if;
          if Files (1).Returned /= 0 then
             Ignored := Read (Bell, Rung'Address, Rung'Size / 8);
-            Serve_Requests;
+            Asked := True;
          end if;
       end Wait;
 
    begin
-      accept Start
-        (Baud    : Baud_Rate;
-         Link    : String;
-         Socket  : Boolean;
-         Radio   : Boolean;
-         Seed    : Interfaces.Unsigned_32;
-         Problem : out Unbounded_String)
-      do
-         Link_Path := To_Unbounded_String (Link);
-         Is_Socket := Socket;
-         Has_Radio := Radio;
-         To_Robot.Radios.Seed  := 2 * Seed;
-         To_Client.Radios.Seed := 2 * Seed + 1;
-         if Baud > 0 then
-            Byte_Time := 10 * 1_000_000_000 / Instant (Baud);
+      accept Start (Chosen : Choice; Problem : out Unbounded_String) do
+         Carrier.Chosen := Chosen;
+         To_Robot.Radios.Seed  := 2 * Interfaces.Unsigned_32 (Chosen.Seed);
+         To_Client.Radios.Seed := To_Robot.Radios.Seed + 1;
+         if Chosen.Baud > 0 then
+            Byte_Time := 10 * 1_000_000_000 / Instant (Chosen.Baud);
          end if;
          Open_Line (Problem);
-         Publish;
       end Start;
 
       Own_Process.Wake_On_Time;
       Own_Process.Prefer_Real_Time (True, Above_Tasks);
       loop
-         if Has_Radio then
+         if Chosen.Radio then
             Carry (To_Robot, Commands => True);
             Deliver (To_Robot.Second);
             Babble;
@@ -437,6 +378,14 @@ package body Serial_Side is
             Transmit (To_Client.First);
          end if;
          Wait;
+         select
+            accept Obey (R : Request; Outcome : out Unbounded_String) do
+               Serve (R, Outcome);
+            end Obey;
+            Asked := False;
+         else
+            null;
+         end select;
          Robot_Bench.Bench.Let_Time_Pass;
       end loop;
 
@@ -449,70 +398,22 @@ package body Serial_Side is
          GNAT.OS_Lib.OS_Exit (3);
    end Carrier;
 
-   protected body Desk is
+   function Device return String is (Ask (Name));
 
-      procedure Answer (Text : Unbounded_String) is
-      begin
-         Outcome  := Text;
-         Answered := True;
-      end Answer;
+   function Hang_Up return String is (Ask (Hang));
 
-      entry Ask (R : Request) when not Busy is
-      begin
-         Busy    := True;
-         Waiting := True;
-         Current := R;
-      end Ask;
-
-      function Device_Name return Unbounded_String is (Device);
-
-      procedure Set_Device (Name : Unbounded_String) is
-      begin
-         Device := Name;
-      end Set_Device;
-
-      procedure Take (R : out Request; Present : out Boolean) is
-      begin
-         R       := Current;
-         Present := Waiting;
-         Waiting := False;
-      end Take;
-
-      entry Wait (Text : out Unbounded_String) when Answered is
-      begin
-         Text     := Outcome;
-         Answered := False;
-         Busy     := False;
-      end Wait;
-
-   end Desk;
-
-   function Device return String is (To_String (Desk.Device_Name));
-
-   function Hang_Up return String is
-     (Ask ((Length => 0, Kind => Hang, Data => (others => 0))));
-
-   function Put_Back return String is
-     (Ask ((Length => 0, Kind => Return_Line, Data => (others => 0))));
+   function Put_Back return String is (Ask (Return_Line));
 
    function Send_Unasked (Data : Robot_Core.Octets) return String is
-     (Ask ((Length => Data'Length, Kind => Send, Data => Data)));
+     (Ask (Send, Data));
 
-   procedure Start
-     (Baud    : Baud_Rate;
-      Link    : String;
-      Socket  : Boolean;
-      Radio   : Boolean;
-      Seed    : Interfaces.Unsigned_32;
-      Problem : out Unbounded_String) is
+   procedure Start (Chosen : Choice; Problem : out Unbounded_String) is
    begin
-      Carrier.Start (Baud, Link, Socket, Radio, Seed, Problem);
+      Carrier.Start (Chosen, Problem);
    end Start;
 
    procedure Stop is
-      Ignored : constant String :=
-        Ask ((Length => 0, Kind => Finish, Data => (others => 0)));
-      pragma Unreferenced (Ignored);
+      Unused : constant String := Ask (Finish);
    begin
       null;
    end Stop;

@@ -12,7 +12,6 @@
 
 with Ada.Strings.Unbounded; use Ada.Strings.Unbounded;
 
-with Interfaces;
 with Robot_Core;
 
 package Serial_Side is
@@ -20,17 +19,18 @@ package Serial_Side is
    subtype Baud_Rate is Natural range 0 .. 4_000_000;
    --  0: bytes take no time
 
-   procedure Start
-     (Baud    : Baud_Rate;
-      Link    : String;
-      Socket  : Boolean;
-      Radio   : Boolean;
-      Seed    : Interfaces.Unsigned_32;
-      Problem : out Unbounded_String);
-   --  Creates the device, and the link unless it is "", or a socket at Link,
-   --  and starts. Seed: of the radios. A byte that it sends over 20 ms late is
-   --  told on standard error: "late by N ms". Call once. Problem is the
-   --  reason of a failure; "" if none.
+   type Choice is record
+      Link   : Unbounded_String;        --  "": none
+      Socket : Boolean := False;        --  at Link, no pseudo-terminal
+      Baud   : Baud_Rate := 9_600;
+      Radio  : Boolean := False;
+      Seed   : Natural := 1;            --  of the radios
+   end record;
+
+   procedure Start (Chosen : Choice; Problem : out Unbounded_String);
+   --  Creates the device, or the socket, and starts. A byte that it sends over
+   --  20 ms late is told on standard error: "late by N ms". Call once.
+   --  Problem is the reason of a failure; "" if none.
 
    procedure Stop;
    --  Hangs up and removes the link. After Start only.

@@ -9,8 +9,6 @@ from typing import Any
 
 from world import Robot, World
 
-GROUPS = ("network", "robot", "camera", "machine")
-
 Ends = IntEnum("Ends", "NOTHING SESSION_MAY_END SESSION SUPERVISOR")
 #  The session continues, every command is answered; both are right; it ends, and the
 #  supervisor detects it in time; the supervisor, with the status that inject announced

@@ -19,7 +19,7 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any, NamedTuple, NoReturn
 
-from faults import GROUPS, Fault, go_together
+from faults import Fault, go_together
 from links import Link
 from parties import PROGRAMS
 from standstills import Watch
@@ -133,38 +133,34 @@ class Table:
     def __init__(self) -> None:
         self.figures = Figures()
         self.injections = self.violations = 0
-        self._counts: Counter[tuple[str, str, str]] = Counter()
+        self._counts: Counter[tuple[int, str]] = Counter()
 
     def count(self, item: Injection, result: Result) -> None:
         self.figures.add(result.figures)
-        faults = item.faults
-        rows = [(fault.group, fault.name) for fault in faults]
-        column = "alone" if len(faults) == 1 else "in pairs"
+        column = "alone" if item.second is None else "in pairs"
         if result.end == "impossible":
-            if column == "alone":
-                self._counts[*rows[0], "impossible"] += 1
+            self._counts[item.first, "impossible"] += column == "alone"
             return
-        if column == "in pairs":
-            groups = sorted((fault.group for fault in faults), key=GROUPS.index)
-            rows.append((", ".join(groups), "pairs"))
         self.injections += 1
         self.violations += result.end == "violated"
-        for row in rows:
-            self._counts[*row, column] += 1
-            self._counts[*row, "violations"] += result.end == "violated"
+        for fault in item.faults:
+            number = ALL.index(fault)
+            self._counts[number, column] += 1
+            self._counts[number, "violations"] += result.end == "violated"
 
     def markdown(self) -> str:
-        both = [f"{a}, {b}" for i, a in enumerate(GROUPS) for b in GROUPS[i:]]
-        rows = [(f.group, f.name) for f in ALL] + [(groups, "pairs") for groups in both]
         lines = ["| group | fault | alone | in pairs | violations |", "|---" * 5 + "|"]
-        for row in rows:
-            cells = [self._counts[*row, x] for x in ("alone", "in pairs", "violations")]
-            if self._counts[*row, "impossible"] and not cells[0]:
+        for number, fault in enumerate(ALL):
+            alone, pairs, violations, impossible = (
+                self._counts[number, column]
+                for column in ("alone", "in pairs", "violations", "impossible")
+            )
+            if alone or pairs or impossible:
+                said = alone or ("not possible here" if impossible else 0)
                 lines.append(
-                    f"| {' | '.join(row)} | not possible here | {cells[1]} | 0 |"
+                    f"| {fault.group} | {fault.name} | {said} | {pairs}"
+                    f" | {violations} |"
                 )
-            elif any(cells):
-                lines.append(f"| {' | '.join((*row, *map(str, cells)))} |")
         return "\n".join(lines) + "\n"
 
 

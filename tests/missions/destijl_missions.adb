@@ -33,7 +33,6 @@ procedure Destijl_Missions is
    Least     : Point_Number := 5;
    Changing  : Natural  := 0;
    Radio     : Boolean  := False;
-   Traced    : Boolean  := False;
 
    Picture, Journal, Pose, Order : Unbounded_String;
 
@@ -63,7 +62,6 @@ procedure Destijl_Missions is
      & "   --least N       through N to 12 points (5)" & LF
      & "   --changing N    speeds, from order to order, by N percent" & LF
      & "                   either way, if simulated (0)" & LF
-     & "   --trace         tells what happens, if simulated" & LF
      & "   --first N       the first one's number (1)" & LF
      & "   --step N        to the next one's number (1)" & LF
      & "   --supervisor PATH, --emulator PATH" & LF
@@ -112,8 +110,6 @@ procedure Destijl_Missions is
             Pose := To_Unbounded_String (Value);
          elsif Name = "--order" then
             Order := To_Unbounded_String (Value);
-         elsif Name = "--trace" then
-            Traced := True;
          elsif Name = "--speed" then
             Wheels.Speed := Number;
          elsif Name = "--turn-speed" then
@@ -207,7 +203,7 @@ procedure Destijl_Missions is
    procedure Run_Simulated (P : Plan) is
       R : Simulated_Missions.Result;
    begin
-      Simulated_Missions.Simulate (P, R, Changing, Traced);
+      Simulated_Missions.Simulate (P, R, Changing);
       Say (Line ("simulated", P, Result_Of (R.Verdict)));
    end Run_Simulated;
 

@@ -1,7 +1,5 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
 
-with Ada.Text_IO;
-
 with Commands;
 with GNAT.Random_Numbers; use GNAT.Random_Numbers;
 
@@ -60,8 +58,7 @@ package body Simulated_Missions is
    procedure Simulate
      (P        : Plan;
       R        : out Result;
-      Changing : Natural := 0;
-      Traced   : Boolean := False)
+      Changing : Natural := 0)
    is
       Source       : Generator;
       The_Robot    : Robot_Core.Robot;
@@ -101,23 +98,6 @@ package body Simulated_Missions is
             Observe;
          end loop;
       end Move_To;
-
-      procedure Note (Text : String) is
-      begin
-         if Traced then
-            declare
-               P : constant Robot_Motion.Pose := Robot_Core.Pose (The_Robot);
-            begin
-               Ada.Text_IO.Put_Line
-                 (Robot_Motion.Micro'Image ((Now - Began) / 1_000)
-                  & " ms, leg" & Leg (The_Run)'Image & ", at"
-                  & Robot_Motion.Micro'Image (P.X / 1_000)
-                  & Robot_Motion.Micro'Image (P.Y / 1_000)
-                  & Robot_Motion.Micro'Image (P.Angle / 1_000_000)
-                  & (if Moves then " moving" else " at rest") & ": " & Text);
-            end;
-         end if;
-      end Note;
 
       procedure Plan_Image is
       begin
@@ -208,8 +188,6 @@ package body Simulated_Missions is
             Wait_Until
               (Sent + 1_000 + Robot_Motion.Micro (Reply.Length) * Byte_Time);
          end if;
-         Note (Text & (if Is_Lost then " (answer lost)" else " -> "
-                       & Character'Val (Reply.Data (1))));
       end Talk;
 
       procedure Carry_Out (Request : Commands.Request) is
@@ -274,7 +252,6 @@ package body Simulated_Missions is
          Observe;
          if Has_Ended (The_Run) and then Ended = 0.0 then
             Ended := Duration (Now - Began) / 1_000_000;
-            Note ("ended: " & Ended_By (The_Run)'Image);
          end if;
          case Next.Kind is
             when Nothing =>

@@ -18,10 +18,9 @@ package Simulated_Missions is
    procedure Simulate
      (P        : Plan;
       R        : out Result;
-      Changing : Natural := 0;
-      Traced   : Boolean := False)
+      Changing : Natural := 0)
      with Pre => P.Count > 0 and then Changing <= 30;
    --  Changing: percent by which the speeds change from order to order, either
-   --  way. Traced: prints what happens
+   --  way
 
 end Simulated_Missions;

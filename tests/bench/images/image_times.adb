@@ -29,18 +29,12 @@ procedure Image_Times is
    Most : constant := 100_000;
 
    Began : Time;
-
-   procedure Start is
-   begin
-      Began := Clock;
-   end Start;
+   --  of what is measured
 
    procedure Stop (S : in out Samples.Set) is
-      --  The time since Start is one more figure; Start again
-      Now : constant Time := Clock;
+      --  The time since Began is one more figure
    begin
-      S.Add (To_Duration (Now - Began));
-      Began := Clock;
+      S.Add (To_Duration (Clock - Began));
    end Stop;
 
    type Pixels is array (1 .. 1_920 * 1_080 * 3) of unsigned_char;
@@ -103,7 +97,7 @@ procedure Image_Times is
 
       procedure Everywhere (Where : Search) is
       begin
-         Start;
+         Began := Clock;
          Find_Robots (0, Options.Aruco, Arena, Where = In_Arena, Found,
                       Count, Result);
          case Where is
@@ -119,7 +113,7 @@ procedure Image_Times is
          Vision.Following.Plan (Known, Options.Aruco, 100, Areas, Parts);
          Settled := False;
          if Parts > 0 then
-            Start;
+            Began := Clock;
             Find_Robots (0, Options.Aruco, No_Arena, False, Found, Count,
            Result, Areas, Parts);
             Stop (Follow);
@@ -138,7 +132,7 @@ procedure Image_Times is
    begin
       for K in 1 .. Number loop
          Show (Scene (Width, Height, Robots, K mod 20));
-         Start;
+         Began := Clock;
          Find_Arena (0, Arena, Result);
          Stop (Around);
          Check (Result = Done, "arena");
@@ -157,14 +151,13 @@ procedure Image_Times is
             end loop;
          end loop;
       end loop;
-      Reports.Compare (Name & "in the arena", Inside, Full);
-      if Follow.Count > 0 then
-         Reports.Compare
-           (Name & "following", Follow, Full,
-            (if Prefix = "search: "
-             then (1 => (Reports.Median_Ratio, 0.2))
-             else Reports.No_Goals));
+      if Prefix = "search: " then
+         Reports.Compare (Name & "in the arena", Inside, Full);
       end if;
+      Reports.Compare
+        (Name & "following", Follow, Full,
+         (if Prefix = "search: " then (1 => (Reports.Median_Ratio, 0.2))
+          else Reports.No_Goals));
       Reports.Put (Name & "whole image", Full);
       if Prefix = "search: " then
          Reports.Put (Size & " arena", Around);
@@ -191,7 +184,7 @@ begin
    for Size in Widths'Range loop
       Measure_Searches (Widths (Size), Heights (Size), 1, "search: ");
    end loop;
-   for Robots in 0 .. 4 loop
+   for Robots in 1 .. 4 loop
       Measure_Searches (640, 480, Robots, Image (Robots) & " in view: ");
    end loop;
    Reports.Put_Note ("floor: the whole image");

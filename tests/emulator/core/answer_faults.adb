@@ -9,31 +9,98 @@ package body Answer_Faults with SPARK_Mode is
 
    Carriage_Return : constant Octet := 16#0D#;
 
+   function Spoilt (Sum : Octet) return Octet is
+     (if (Sum xor 1) = Carriage_Return then Sum xor 2 else Sum xor 1);
+   --  One bit of it wrong, but not the one that would end the frame
+
    procedure Count
      (Every : Interval; Passed : in out Passed_Count; Has_Turn : out Boolean)
-   with Post => (if Every = 0 then not Has_Turn);
-   --  Has_Turn: this one is to be lost as Every has it
+   with Post => (if Every = 0 then not Has_Turn)
+   is
+      --  Has_Turn: this one is to be lost as Every has it
+   begin
+      Has_Turn := False;
+      if Every > 0 then
+         Passed   := (Passed + 1) mod Every;
+         Has_Turn := Passed = 0;
+      end if;
+   end Count;
 
    procedure Make_Garbage (Seed : in out Unsigned_32; Wire : out Wire_Bytes)
-     with Post => Wire.Length > 0;
+     with Post => Wire.Length > 0
+   is
+      Byte  : Octet;
+      Ended : Boolean;
+   begin
+      Wire := (others => <>);
+      Draw (Seed, Byte);
+      Wire.Length := 3 + Natural (Byte mod 10);
+      for K in 1 .. Wire.Length loop
+         Draw (Seed, Byte);
+         Wire.Data (K) := (if Byte = Carriage_Return then 0 else Byte);
+      end loop;
+
+      --  Half of it ends as a frame does, with anything but its checksum
+
+      Draw (Seed, Byte);
+      Ended := Byte >= 128;
+      if Ended then
+         if Checksum (Wire.Data (1 .. Wire.Length - 2))
+            = Wire.Data (Wire.Length - 1)
+         then
+            Wire.Data (Wire.Length - 1) :=
+              Spoilt (Wire.Data (Wire.Length - 1));
+         end if;
+         Wire.Data (Wire.Length) := Carriage_Return;
+      end if;
+   end Make_Garbage;
 
    procedure Set (Wire : in out Wire_Bytes; C : Character)
-     with Post => Is_Text (Wire, C);
-   --  The frame of C
+     with Post => Is_Text (Wire, C)
+   is
+      --  The frame of C
+   begin
+      Wire.Length := 3;
+      Wire.Data (1 .. 3) :=
+        (Character'Pos (C), Character'Pos (C), Carriage_Return);
+   end Set;
 
    procedure Set_Version (Wire : in out Wire_Bytes)
-     with Post => Is_Version (Wire);
+     with Post => Is_Version (Wire)
+   is
+   begin
+      Wire.Length := 5;
+      Wire.Data (1 .. 5) :=
+        (Character'Pos ('3'), Character'Pos ('.'), Character'Pos ('5'),
+         16#28#, Carriage_Return);
+   end Set_Version;
 
    procedure Choose
      (To   : Command_Kind;
       Turn : Unsigned_8;
       Wire : in out Wire_Bytes)
-   with Post => Is_Of_Another_Kind (To, Wire);
-   --  One of the answers to other questions, another with another Turn
-
-   function Spoilt (Sum : Octet) return Octet is
-     (if (Sum xor 1) = Carriage_Return then Sum xor 2 else Sum xor 1);
-   --  One bit of it wrong, but not the one that would end the frame
+   with Post => Is_Of_Another_Kind (To, Wire)
+   is
+      --  One of the answers to other questions, another with another Turn
+   begin
+      case To is
+         when Get_Battery | Get_Busy =>
+            case Turn mod 3 is
+               when 0      => Set (Wire, 'O');
+               when 1      => Set_Version (Wire);
+               when others =>
+                  Set (Wire, (if To = Get_Battery then '0' else '2'));
+            end case;
+         when Get_Version =>
+            Set (Wire, (if Turn mod 2 = 0 then 'O' else '1'));
+         when others =>
+            if Turn mod 2 = 0 then
+               Set (Wire, '1');
+            else
+               Set_Version (Wire);
+            end if;
+      end case;
+   end Choose;
 
    procedure Add (Kept : in out Wire_Bytes; Reply : Answer)
      with Pre  => Kept.Length <= Max_Wire - Reply.Length,
@@ -143,89 +210,11 @@ package body Answer_Faults with SPARK_Mode is
       end if;
    end Babble;
 
-   procedure Choose
-     (To   : Command_Kind;
-      Turn : Unsigned_8;
-      Wire : in out Wire_Bytes) is
-   begin
-      case To is
-         when Get_Battery | Get_Busy =>
-            case Turn mod 3 is
-               when 0      => Set (Wire, 'O');
-               when 1      => Set_Version (Wire);
-               when others =>
-                  Set (Wire, (if To = Get_Battery then '0' else '2'));
-            end case;
-         when Get_Version =>
-            Set (Wire, (if Turn mod 2 = 0 then 'O' else '1'));
-         when others =>
-            if Turn mod 2 = 0 then
-               Set (Wire, '1');
-            else
-               Set_Version (Wire);
-            end if;
-      end case;
-   end Choose;
-
-   procedure Count
-     (Every : Interval; Passed : in out Passed_Count; Has_Turn : out Boolean)
-   is
-   begin
-      Has_Turn := False;
-      if Every > 0 then
-         Passed   := (Passed + 1) mod Every;
-         Has_Turn := Passed = 0;
-      end if;
-   end Count;
-
    procedure Draw (Seed : in out Unsigned_32; Value : out Octet) is
    begin
       Seed  := Seed * 1_664_525 + 1_013_904_223;
       Value := Octet (Shift_Right (Seed, 24));
    end Draw;
-
-   procedure Make_Garbage (Seed : in out Unsigned_32; Wire : out Wire_Bytes)
-   is
-      Byte  : Octet;
-      Ended : Boolean;
-   begin
-      Wire := (others => <>);
-      Draw (Seed, Byte);
-      Wire.Length := 3 + Natural (Byte mod 10);
-      for K in 1 .. Wire.Length loop
-         Draw (Seed, Byte);
-         Wire.Data (K) := (if Byte = Carriage_Return then 0 else Byte);
-      end loop;
-
-      --  Half of it ends as a frame does, with anything but its checksum
-
-      Draw (Seed, Byte);
-      Ended := Byte >= 128;
-      if Ended then
-         if Checksum (Wire.Data (1 .. Wire.Length - 2))
-            = Wire.Data (Wire.Length - 1)
-         then
-            Wire.Data (Wire.Length - 1) :=
-              Spoilt (Wire.Data (Wire.Length - 1));
-         end if;
-         Wire.Data (Wire.Length) := Carriage_Return;
-      end if;
-   end Make_Garbage;
-
-   procedure Set (Wire : in out Wire_Bytes; C : Character) is
-   begin
-      Wire.Length := 3;
-      Wire.Data (1 .. 3) :=
-        (Character'Pos (C), Character'Pos (C), Carriage_Return);
-   end Set;
-
-   procedure Set_Version (Wire : in out Wire_Bytes) is
-   begin
-      Wire.Length := 5;
-      Wire.Data (1 .. 5) :=
-        (Character'Pos ('3'), Character'Pos ('.'), Character'Pos ('5'),
-         16#28#, Carriage_Return);
-   end Set_Version;
 
    procedure Take_Command (P : in out Plan; Lost : out Boolean) is
    begin

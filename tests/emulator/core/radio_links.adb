@@ -10,12 +10,6 @@ package body Radio_Links with SPARK_Mode is
 
    subtype Share is Natural range 0 .. 65_535;
 
-   procedure Draw (Seed : in out Unsigned_32; Value : out Share);
-
-   procedure Draw
-     (Seed : in out Unsigned_32; Chance : Percent; Hit : out Boolean)
-   with Post => (if Chance = 0 then not Hit elsif Chance = 100 then Hit);
-
    procedure Draw (Seed : in out Unsigned_32; Value : out Share) is
       High, Low : Robot_Core.Octet;
    begin
@@ -26,6 +20,7 @@ package body Radio_Links with SPARK_Mode is
 
    procedure Draw
      (Seed : in out Unsigned_32; Chance : Percent; Hit : out Boolean)
+   with Post => (if Chance = 0 then not Hit elsif Chance = 100 then Hit)
    is
       Value : Share;
    begin

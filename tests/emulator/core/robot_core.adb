@@ -8,8 +8,14 @@ package body Robot_Core with SPARK_Mode is
    Carriage_Return : constant Octet := 16#0D#;
 
    procedure Add_One (Counter : in out Natural)
-     with Post => Counter >= Counter'Old;
-   --  Stays at the largest value
+     with Post => Counter >= Counter'Old
+   is
+      --  Stays at the largest value
+   begin
+      if Counter < Natural'Last then
+         Counter := Counter + 1;
+      end if;
+   end Add_One;
 
    procedure Enter (R : in out Robot; State : State_Kind)
      with Post => Robot_Core.State (R) = State
@@ -19,9 +25,27 @@ package body Robot_Core with SPARK_Mode is
                   and then R.Plugged = R.Plugged'Old
                   and then (if State in Run | Movement
                             then R.Guarded = R.Guarded'Old
-                            else not R.Guarded);
-   --  Every change of state goes through here: only in movement do the
-   --  wheels turn, only in run and movement is the watchdog on
+                            else not R.Guarded)
+   is
+      --  Every change of state goes through here: only in movement do the
+      --  wheels turn, only in run and movement is the watchdog on
+   begin
+      if State /= Movement then
+         Robot_Motion.Halt (R.Motion);
+      end if;
+      if State not in Run | Movement then
+         R.Guarded := False;
+      end if;
+      case State is
+         when Idle =>
+            R.Inactive := 0;
+         when Low_Battery =>
+            R.Low_Left := Low_Battery_Ticks;
+         when others =>
+            null;
+      end case;
+      R.State := State;
+   end Enter;
 
    procedure Follow_Power (R : in out Robot)
      with Post => R.Now = R.Now'Old
@@ -32,89 +56,121 @@ package body Robot_Core with SPARK_Mode is
                     (if not R.Guarded'Old then not R.Guarded)
                   and then
                     (if R.State'Old = Start_Up
-                     then R.State in Start_Up | In_Charge | Low_Battery);
-   --  Enters and leaves the states that charger and battery decide
+                     then R.State in Start_Up | In_Charge | Low_Battery)
+   is
+      --  Enters and leaves the states that charger and battery decide
+   begin
+      if R.State in Off | Low_Battery then
+         return;
+      elsif R.Plugged then
+         if R.State /= In_Charge then
+            Enter (R, In_Charge);
+         end if;
+      elsif Battery (R) = Critical then
+         Enter (R, Low_Battery);
+      elsif R.State = In_Charge then
+         Enter (R, Idle);
+      end if;
+   end Follow_Power;
 
    procedure Do_Tick (R : in out Robot)
      with Pre  => R.State /= Off,
           Post => R.Now = R.Now'Old
-                  and then R.Next_Tick = R.Next_Tick'Old;
+                  and then R.Next_Tick = R.Next_Tick'Old
+   is
+   begin
+      if R.State = Start_Up then
+         if R.Boot_Left > 1 then
+            R.Boot_Left := R.Boot_Left - 1;
+         else
+            Enter (R, Idle);
+         end if;
+      end if;
 
-   procedure Decode
-     (Command : Frame;
-      Kind    : out Command_Kind;
-      Amount  : out Robot_Motion.Amount);
+      if R.State = Low_Battery then
+         if R.Low_Left > 1 then
+            R.Low_Left := R.Low_Left - 1;
+         else
+            Enter (R, Off);
+            return;
+         end if;
+      end if;
+
+      if R.State /= In_Charge then
+         if R.Inactive < Inactivity_Ticks - 1 then
+            R.Inactive := R.Inactive + 1;
+         else
+            Enter (R, Off);
+            return;
+         end if;
+      end if;
+
+      if R.Guarded then
+         if R.Since_Reload < Watchdog_Last then
+            R.Since_Reload := R.Since_Reload + 1;
+         else
+            R.Since_Reload := 0;
+            Add_One (R.Misses);
+            Add_One (R.Missed_Sum);
+         end if;
+         if R.Misses > Misses_Allowed then
+            Add_One (R.Disabled_Sum);
+            Enter (R, Watchdog_Disabled);
+         end if;
+      end if;
+   end Do_Tick;
 
    procedure Read_Number
      (Text   : Octets;
       Found  : out Boolean;
       Number : out Robot_Motion.Amount)
-   with Pre => Text'First = 1 and then Text'Last <= Max_Frame;
-   --  As strtol reads: blanks, a sign, digits, and the rest does not
-   --  matter. Found: there was a digit.
+   with Pre => Text'First = 1 and then Text'Last <= Max_Frame
+   is
+      --  As strtol reads: blanks, a sign, digits, and the rest does not
+      --  matter. Found: there was a digit.
+      subtype Blank is Octet
+        with Static_Predicate => Blank in 16#09# .. 16#0C# | 16#20#;
+      subtype Digit is Octet
+        range Character'Pos ('0') .. Character'Pos ('9');
 
-   procedure Obey (R : in out Robot; Result : in out Exchange)
-     with Pre  => R.State not in Off | Low_Battery
-                  and then Result.Before = R.State,
-          Post => Result.Reply.Length /= 0
-                  and then Result.Before = Result.Before'Old;
+      Ceiling  : constant := 100_000;
+      --  Beyond every limit: more digits change nothing
 
-   function Framed (Text : Octets) return Answer
-     with Pre  => Text'Length in 1 .. Answer_Length'Last - 2
-                  and then Text'First = 1,
-          Post => Framed'Result.Length = Text'Length + 2;
-
-   function Framed (Letter : Character) return Answer is
-     (Framed (Octets'(1 => Character'Pos (Letter))))
-     with Post => Framed'Result.Length = 3;
-
-   procedure Add_One (Counter : in out Natural) is
+      Value    : Natural := 0;
+      Negative : Boolean := False;
+      Next     : Positive := 1;
    begin
-      if Counter < Natural'Last then
-         Counter := Counter + 1;
-      end if;
-   end Add_One;
+      Found := False;
 
-   procedure Advance_To (R : in out Robot; Now : Time_Point) is
-      Target : Robot_Motion.Micro;
-      Start  : constant Time_Point := R.Now with Ghost;
-   begin
-      while R.Now < Now and then R.State /= Off loop
-         pragma Loop_Invariant (R.Now >= Start);
-         pragma Loop_Variant
-           (Increases => R.Now, Increases => R.Next_Tick);
-
-         --  To the next tick at most, so never by more than one
-
-         Target := Robot_Motion.Micro'Min
-           (Now, Robot_Motion.Micro'Min (R.Next_Tick, R.Now + Tick));
-         if Target > R.Now then
-            Robot_Motion.Advance (R.Motion, Target - R.Now);
-            R.Now := Target;
-         end if;
-         if R.State = Movement and then not Robot_Motion.Is_Moving (R.Motion)
-         then
-            Enter (R, Run);
-         end if;
-         if R.Now >= R.Next_Tick then
-            R.Next_Tick := R.Now + Tick;
-            Do_Tick (R);
-         end if;
+      while Next <= Text'Last and then Text (Next) in Blank loop
+         Next := Next + 1;
+         pragma Loop_Invariant (Next <= Text'Last + 1);
+         pragma Loop_Variant (Increases => Next);
       end loop;
 
-      if R.Now < Now then
-         R.Now := Now;
+      if Next <= Text'Last
+        and then (Text (Next) = Character'Pos ('-')
+                  or else Text (Next) = Character'Pos ('+'))
+      then
+         Negative := Text (Next) = Character'Pos ('-');
+         Next := Next + 1;
       end if;
-   end Advance_To;
 
-   function Checksum (Text : Octets) return Octet is
-      Sum : Octet := 0;
-   begin
-      for Byte of Text loop
-         Sum := Sum xor Byte;
+      while Next <= Text'Last and then Text (Next) in Digit loop
+         Found := True;
+         Value := Natural'Min
+           (Ceiling,
+            Value * 10 + Natural (Text (Next) - Digit'First));
+         Next := Next + 1;
+         pragma Loop_Invariant (Value <= Ceiling);
+         pragma Loop_Invariant (Next <= Text'Last + 1);
+         pragma Loop_Variant (Increases => Next);
       end loop;
-      return (if Sum = Carriage_Return then Carriage_Return + 1 else Sum);
-   end Checksum;
+
+      Number :=
+        (if Negative then Integer'Max (-Value, Robot_Motion.Amount'First)
+         else Integer'Min (Value, Robot_Motion.Amount'Last));
+   end Read_Number;
 
    procedure Decode
      (Command : Frame;
@@ -181,84 +237,11 @@ package body Robot_Core with SPARK_Mode is
       end case;
    end Decode;
 
-   procedure Do_Tick (R : in out Robot) is
-   begin
-      if R.State = Start_Up then
-         if R.Boot_Left > 1 then
-            R.Boot_Left := R.Boot_Left - 1;
-         else
-            Enter (R, Idle);
-         end if;
-      end if;
-
-      if R.State = Low_Battery then
-         if R.Low_Left > 1 then
-            R.Low_Left := R.Low_Left - 1;
-         else
-            Enter (R, Off);
-            return;
-         end if;
-      end if;
-
-      if R.State /= In_Charge then
-         if R.Inactive < Inactivity_Ticks - 1 then
-            R.Inactive := R.Inactive + 1;
-         else
-            Enter (R, Off);
-            return;
-         end if;
-      end if;
-
-      if R.Guarded then
-         if R.Since_Reload < Watchdog_Last then
-            R.Since_Reload := R.Since_Reload + 1;
-         else
-            R.Since_Reload := 0;
-            Add_One (R.Misses);
-            Add_One (R.Missed_Sum);
-         end if;
-         if R.Misses > Misses_Allowed then
-            Add_One (R.Disabled_Sum);
-            Enter (R, Watchdog_Disabled);
-         end if;
-      end if;
-   end Do_Tick;
-
-   procedure Enter (R : in out Robot; State : State_Kind) is
-   begin
-      if State /= Movement then
-         Robot_Motion.Halt (R.Motion);
-      end if;
-      if State not in Run | Movement then
-         R.Guarded := False;
-      end if;
-      case State is
-         when Idle =>
-            R.Inactive := 0;
-         when Low_Battery =>
-            R.Low_Left := Low_Battery_Ticks;
-         when others =>
-            null;
-      end case;
-      R.State := State;
-   end Enter;
-
-   procedure Follow_Power (R : in out Robot) is
-   begin
-      if R.State in Off | Low_Battery then
-         return;
-      elsif R.Plugged then
-         if R.State /= In_Charge then
-            Enter (R, In_Charge);
-         end if;
-      elsif Battery (R) = Critical then
-         Enter (R, Low_Battery);
-      elsif R.State = In_Charge then
-         Enter (R, Idle);
-      end if;
-   end Follow_Power;
-
-   function Framed (Text : Octets) return Answer is
+   function Framed (Text : Octets) return Answer
+     with Pre  => Text'Length in 1 .. Answer_Length'Last - 2
+                  and then Text'First = 1,
+          Post => Framed'Result.Length = Text'Length + 2
+   is
       Result : Answer;
    begin
       Result.Length := Text'Length + 2;
@@ -268,7 +251,16 @@ package body Robot_Core with SPARK_Mode is
       return Result;
    end Framed;
 
-   procedure Obey (R : in out Robot; Result : in out Exchange) is
+   function Framed (Letter : Character) return Answer is
+     (Framed (Octets'(1 => Character'Pos (Letter))))
+     with Post => Framed'Result.Length = 3;
+
+   procedure Obey (R : in out Robot; Result : in out Exchange)
+     with Pre  => R.State not in Off | Low_Battery
+                  and then Result.Before = R.State,
+          Post => Result.Reply.Length /= 0
+                  and then Result.Before = Result.Before'Old
+   is
       Accepted : Boolean := True;
    begin
       case Result.Kind is
@@ -367,59 +359,51 @@ package body Robot_Core with SPARK_Mode is
       Result.Reply := Framed (if Accepted then 'O' else 'E');
    end Obey;
 
+   procedure Advance_To (R : in out Robot; Now : Time_Point) is
+      Target : Robot_Motion.Micro;
+      Start  : constant Time_Point := R.Now with Ghost;
+   begin
+      while R.Now < Now and then R.State /= Off loop
+         pragma Loop_Invariant (R.Now >= Start);
+         pragma Loop_Variant
+           (Increases => R.Now, Increases => R.Next_Tick);
+
+         --  To the next tick at most, so never by more than one
+
+         Target := Robot_Motion.Micro'Min
+           (Now, Robot_Motion.Micro'Min (R.Next_Tick, R.Now + Tick));
+         if Target > R.Now then
+            Robot_Motion.Advance (R.Motion, Target - R.Now);
+            R.Now := Target;
+         end if;
+         if R.State = Movement and then not Robot_Motion.Is_Moving (R.Motion)
+         then
+            Enter (R, Run);
+         end if;
+         if R.Now >= R.Next_Tick then
+            R.Next_Tick := R.Now + Tick;
+            Do_Tick (R);
+         end if;
+      end loop;
+
+      if R.Now < Now then
+         R.Now := Now;
+      end if;
+   end Advance_To;
+
+   function Checksum (Text : Octets) return Octet is
+      Sum : Octet := 0;
+   begin
+      for Byte of Text loop
+         Sum := Sum xor Byte;
+      end loop;
+      return (if Sum = Carriage_Return then Carriage_Return + 1 else Sum);
+   end Checksum;
+
    procedure Place (R : in out Robot; At_Pose : Robot_Motion.Pose) is
    begin
       Robot_Motion.Place (R.Motion, At_Pose);
    end Place;
-
-   procedure Read_Number
-     (Text   : Octets;
-      Found  : out Boolean;
-      Number : out Robot_Motion.Amount)
-   is
-      subtype Blank is Octet
-        with Static_Predicate => Blank in 16#09# .. 16#0C# | 16#20#;
-      subtype Digit is Octet
-        range Character'Pos ('0') .. Character'Pos ('9');
-
-      Ceiling  : constant := 100_000;
-      --  Beyond every limit: more digits change nothing
-
-      Value    : Natural := 0;
-      Negative : Boolean := False;
-      Next     : Positive := 1;
-   begin
-      Found := False;
-
-      while Next <= Text'Last and then Text (Next) in Blank loop
-         Next := Next + 1;
-         pragma Loop_Invariant (Next <= Text'Last + 1);
-         pragma Loop_Variant (Increases => Next);
-      end loop;
-
-      if Next <= Text'Last
-        and then (Text (Next) = Character'Pos ('-')
-                  or else Text (Next) = Character'Pos ('+'))
-      then
-         Negative := Text (Next) = Character'Pos ('-');
-         Next := Next + 1;
-      end if;
-
-      while Next <= Text'Last and then Text (Next) in Digit loop
-         Found := True;
-         Value := Natural'Min
-           (Ceiling,
-            Value * 10 + Natural (Text (Next) - Digit'First));
-         Next := Next + 1;
-         pragma Loop_Invariant (Value <= Ceiling);
-         pragma Loop_Invariant (Next <= Text'Last + 1);
-         pragma Loop_Variant (Increases => Next);
-      end loop;
-
-      Number :=
-        (if Negative then Integer'Max (-Value, Robot_Motion.Amount'First)
-         else Integer'Min (Value, Robot_Motion.Amount'Last));
-   end Read_Number;
 
    procedure Receive
      (R        : in out Robot;

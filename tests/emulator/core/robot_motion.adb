@@ -38,23 +38,54 @@ package body Robot_Motion with SPARK_Mode is
       981_627, 984_808, 987_688, 990_268, 992_546, 994_522, 996_195,
       997_564, 998_630, 999_391, 999_848, 1_000_000);
 
+   type Place_In_Plane is record
+      X, Y : Micro range -2 ** 32 .. 2 ** 32;
+   end record;
+
    function Room
      (Position, Low, High : Micro; Along : Component) return Micro
    with
      Pre  => Low in 0 .. Million
              and then High in Low .. Million
              and then Position in Low .. High,
-     Post => Room'Result >= 0;
-   --  How far one can travel from Position before the coordinate, which
-   --  changes by Along millionths of the travel, leaves Low .. High
-
-   type Place_In_Plane is record
-      X, Y : Micro range -2 ** 32 .. 2 ** 32;
-   end record;
+     Post => Room'Result >= 0
+   is
+      --  How far one can travel from Position before the coordinate, which
+      --  changes by Along millionths of the travel, leaves Low .. High
+   begin
+      if Along > 0 then
+         return (High - Position) * Million / Along;
+      elsif Along < 0 then
+         return (Position - Low) * Million / (-Along);
+      else
+         return Micro'Last;
+      end if;
+   end Room;
 
    function Place_After
-     (From : Pose; Pull : Pull_Angle; Length : Way) return Place_In_Plane;
-   --  At the end of an arc of that length, as if there were no walls
+     (From : Pose; Pull : Pull_Angle; Length : Way) return Place_In_Plane
+   is
+      --  At the end of an arc of that length, as if there were no walls
+      --  The chord of the arc: it leads half of the turn to the side, and
+      --  with h, that half in radians, it is shorter by sin h / h
+
+      Half    : constant Micro range -20 * Million .. 20 * Million :=
+        Micro (Pull) * Length / 2;
+      --  Microdegrees: degrees per metre are microdegrees per micrometre
+      Radians : constant Micro range -Million / 2 .. Million / 2 :=
+        Half * 17_453 / Million;
+      --  In millionths, as the next two
+      Square  : constant Micro range 0 .. Million / 4 :=
+        Radians * Radians / Million;
+      Shorter : constant Micro range 0 .. 2 * Million :=
+        Million - Square / 6 + Square * Square / (120 * Million);
+      Chord   : constant Micro range -2 * Longest_Way .. 2 * Longest_Way :=
+        Length * Shorter / Million;
+      Towards : constant Heading := (From.Angle + Half) mod Full_Turn;
+   begin
+      return (X => From.X + Chord * Cosine (Towards) / Million,
+              Y => From.Y + Chord * Sine (Towards) / Million);
+   end Place_After;
 
    procedure Advance (M : in out Motion; Elapsed : Step) is
       Whole_Turns : constant := 100 * Full_Turn / Turn_Rate;
@@ -231,30 +262,6 @@ package body Robot_Motion with SPARK_Mode is
       return Result;
    end Pose_Of;
 
-   function Place_After
-     (From : Pose; Pull : Pull_Angle; Length : Way) return Place_In_Plane
-   is
-      --  The chord of the arc: it leads half of the turn to the side, and
-      --  with h, that half in radians, it is shorter by sin h / h
-
-      Half    : constant Micro range -20 * Million .. 20 * Million :=
-        Micro (Pull) * Length / 2;
-      --  Microdegrees: degrees per metre are microdegrees per micrometre
-      Radians : constant Micro range -Million / 2 .. Million / 2 :=
-        Half * 17_453 / Million;
-      --  In millionths, as the next two
-      Square  : constant Micro range 0 .. Million / 4 :=
-        Radians * Radians / Million;
-      Shorter : constant Micro range 0 .. 2 * Million :=
-        Million - Square / 6 + Square * Square / (120 * Million);
-      Chord   : constant Micro range -2 * Longest_Way .. 2 * Longest_Way :=
-        Length * Shorter / Million;
-      Towards : constant Heading := (From.Angle + Half) mod Full_Turn;
-   begin
-      return (X => From.X + Chord * Cosine (Towards) / Million,
-              Y => From.Y + Chord * Sine (Towards) / Million);
-   end Place_After;
-
    function Quarter_Sine (Angle : Quarter) return Fraction is
       --  Of the first quadrant, interpolated between whole degrees
       Whole : constant Micro := Angle / Million;
@@ -269,18 +276,6 @@ package body Robot_Motion with SPARK_Mode is
              + Million / 2) / Million);
       end if;
    end Quarter_Sine;
-
-   function Room
-     (Position, Low, High : Micro; Along : Component) return Micro is
-   begin
-      if Along > 0 then
-         return (High - Position) * Million / Along;
-      elsif Along < 0 then
-         return (Position - Low) * Million / (-Along);
-      else
-         return Micro'Last;
-      end if;
-   end Room;
 
    function Sine (Angle : Heading) return Micro is
       Half : constant := Full_Turn / 2;

@@ -35,6 +35,9 @@ extern const char __executable_start;
 
 static uintptr_t before;
 
+static fuzz_target run;
+static int chosen;
+
 void __sanitizer_cov_trace_pc(void);
 
 // GCC's -fsanitize-coverage=trace-pc calls it in each basic block. As in AFL
@@ -49,44 +52,40 @@ void __sanitizer_cov_trace_pc(void) {
   before = here >> 1;
 }
 
-static void give(const unsigned char *bytes, size_t size, fuzz_target target) {
+static void give(const unsigned char *bytes, size_t size) {
   unsigned char *const data = malloc(size);
   if (data == NULL && size > 0)
     fuzz_crash();
   if (size > 0)
     memcpy(data, bytes, size);
   before = 0;
-  target(data, size);
+  run(chosen, data, size);
   free(data);
 }
 
-static int give_file(FILE *file, fuzz_target target) {
+static int give_file(FILE *file) {
   unsigned char *const bytes = malloc(most_bytes);
   if (bytes == NULL)
     return -1;
   const size_t size = fread(bytes, 1, most_bytes, file);
   const int failed = ferror(file);
   if (!failed)
-    give(bytes, size, target);
+    give(bytes, size);
   free(bytes);
   return failed ? -1 : 0;
 }
 
-void fuzz_crash(void) {
-  signal(SIGABRT, SIG_DFL);
-  abort();
-}
-
-int fuzz_replay(const char *path, fuzz_target target) {
+static int replay(const char *path) {
   FILE *const file = fopen(path, "rb");
-  if (file == NULL)
-    return -1;
-  const int status = give_file(file, target);
-  fclose(file);
+  const int status = file == NULL ? -1 : give_file(file);
+  if (file != NULL)
+    fclose(file);
+  if (status != 0)
+    fprintf(stderr, "cannot read %s\n", path);
   return status;
 }
 
-void fuzz_all(fuzz_target target) {
+static void give_all(void) {
   (void)many_inputs;
   (void)own_start;
   __afl_manual_init();
@@ -94,9 +93,36 @@ void fuzz_all(fuzz_target target) {
   // without it.
   prctl(PR_SET_PDEATHSIG, SIGKILL);
   if (__afl_fuzz_ptr == NULL) {
-    give_file(stdin, target);
+    give_file(stdin);
     return;
   }
   while (__afl_persistent_loop(inputs_each))
-    give(__afl_fuzz_ptr, *__afl_fuzz_len, target);
+    give(__afl_fuzz_ptr, *__afl_fuzz_len);
+}
+
+void fuzz_crash(void) {
+  signal(SIGABRT, SIG_DFL);
+  abort();
+}
+
+int fuzz_main(int count, char **arguments, const char *const *names,
+              fuzz_target target) {
+  int failed = 0;
+  run = target;
+  if (count < 2) {
+    for (; *names != NULL; ++names)
+      puts(*names);
+    return EXIT_SUCCESS;
+  }
+  while (names[chosen] != NULL && strcmp(names[chosen], arguments[1]) != 0)
+    ++chosen;
+  if (names[chosen] == NULL) {
+    fprintf(stderr, "no target %s\n", arguments[1]);
+    return EXIT_FAILURE;
+  }
+  if (count == 2)
+    give_all();
+  for (int k = 2; k < count; ++k)
+    failed |= replay(arguments[k]);
+  return failed ? EXIT_FAILURE : EXIT_SUCCESS;
 }

@@ -10,18 +10,18 @@
 extern "C" {
 #endif
 
-/* Takes one input. What is wrong ends the process with a signal. DATA
- * is exactly SIZE bytes of the heap, so that the address sanitizer sees a step
- * beyond them; it is freed afterwards. */
-typedef void (*fuzz_target)(const unsigned char *data, size_t size);
+/* Takes one input for the target of that number. What is wrong ends the
+ * process with a signal. DATA is exactly SIZE bytes of the heap, so that the
+ * address sanitizer sees a step beyond them; it is freed afterwards. */
+typedef void (*fuzz_target)(int target, const unsigned char *data,
+                            size_t size);
 
-/* Gives TARGET the contents of the file PATH. 0, or -1 where it cannot be
- * read. */
-int fuzz_replay(const char *path, fuzz_target target);
-
-/* Gives TARGET the inputs of afl-fuzz, many to a process; outside afl-fuzz
- * one input, that on standard input. */
-void fuzz_all(fuzz_target target);
+/* PROGRAM TARGET [FILE ...]: gives the target of that name in NAMES, of which
+ * the last is null, each file, or without one all inputs of afl-fuzz; outside
+ * afl-fuzz that on standard input. Alone it prints the names. The result is
+ * the program's status. */
+int fuzz_main(int count, char **arguments, const char *const *names,
+              fuzz_target target);
 
 /* Ends the process as a crash that afl-fuzz sees. Not plain abort: Ada's run
  * time makes an exception of its signal. */

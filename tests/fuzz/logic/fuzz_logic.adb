@@ -1,37 +1,37 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  bin/destijl_fuzz_logic TARGET [FILE ...]: gives the target each file, or
---  without one all inputs of afl-fuzz. Alone it names its targets.
+--  bin/destijl_fuzz_logic: the fuzz targets of the pure packages.
 
 with Ada.Characters.Handling; use Ada.Characters.Handling;
-with Ada.Command_Line;        use Ada.Command_Line;
-with Ada.Text_IO;             use Ada.Text_IO;
+with Ada.Command_Line;
 with Interfaces.C;            use Interfaces.C;
+with Interfaces.C.Strings;    use Interfaces.C.Strings;
 with Logic_Targets;           use Logic_Targets;
+with System;
 
 procedure Fuzz_Logic is
 
-   function Replay (Path : char_array; Target : Receiver) return int
-   with Import, Convention => C, External_Name => "fuzz_replay";
+   Count : constant int
+   with Import, Convention => C, External_Name => "gnat_argc";
+   Arguments : constant System.Address
+   with Import, Convention => C, External_Name => "gnat_argv";
 
-   procedure Run_All (Target : Receiver)
-   with Import, Convention => C, External_Name => "fuzz_all";
+   function Fuzz_Main
+     (Count     : int;
+      Arguments : System.Address;
+      Names     : chars_ptr_array;
+      Target    : Receiver)
+      return int
+   with Import, Convention => C, External_Name => "fuzz_main";
+
+   Last  : constant size_t := Target_Kind'Pos (Target_Kind'Last);
+   Names : chars_ptr_array (0 .. Last + 1);
+   --  the last one is null
 
 begin
-   if Argument_Count = 0 then
-      for Target in Target_Kind loop
-         Put_Line (To_Lower (Target'Image));
-      end loop;
-      return;
-   end if;
-
-   Choose (Target_Kind'Value (Argument (1)));
-   if Argument_Count = 1 then
-      Run_All (Give'Access);
-   end if;
-   for I in 2 .. Argument_Count loop
-      if Replay (To_C (Argument (I)), Give'Access) /= 0 then
-         Put_Line (Standard_Error, "cannot read " & Argument (I));
-         Set_Exit_Status (Failure);
-      end if;
+   for Target in Target_Kind loop
+      Names (Target_Kind'Pos (Target)) := New_String (To_Lower (Target'Image));
    end loop;
+   Ada.Command_Line.Set_Exit_Status
+     (Ada.Command_Line.Exit_Status
+        (Fuzz_Main (Count, Arguments, Names, Give'Access)));
 end Fuzz_Logic;

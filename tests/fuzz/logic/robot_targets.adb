@@ -9,8 +9,6 @@ with Robot.Session;
 
 package body Robot_Targets is
 
-   package Asking renames Standard.Commands;
-
    use Bytes; use type Bytes.Byte;
    use type Robot.Session.Mode_Kind;
    use type Robot.Session.Step_Kind;
@@ -31,6 +29,9 @@ package body Robot_Targets is
    procedure Frames (Data : Byte_Array) is
       F     : Frame;
       Begun : Positive := 1;
+      R     : Reader := (Size => Data'Length, Data => Data, Used => 0);
+      Place : Integer;
+      C     : Command;
    begin
       for I in Data'Range loop
          if Data (I) /= Terminator then
@@ -53,29 +54,22 @@ package body Robot_Targets is
       F.Length := Natural'Min (Data'Length, Max_Frame);
       F.Data (1 .. F.Length) := Data (1 .. F.Length);
       Read_Frame (F);
-   end Frames;
 
-   procedure Commands (Data : Byte_Array) is
-      R     : Reader := (Size => Data'Length, Data => Data, Used => 0);
-      Place : Integer;
-      C     : Command;
-      F     : Frame;
-   begin
       while not Is_Empty (R) loop
          Take (R, 0, Command_Kind'Pos (Command_Kind'Last), Place);
          C.Kind := Command_Kind'Val (Place);
-         Take (R, Asking.Argument'First, Asking.Argument'Last, C.Value);
+         Take (R, Commands.Argument'First, Commands.Argument'Last, C.Value);
          Encode (C, F);
          F.Length := F.Length - 1;
          Read_Frame (F);
       end loop;
-   end Commands;
+   end Frames;
 
    procedure Sessions (Data : Byte_Array) is
       R       : Reader := (Size => Data'Length, Data => Data, Used => 0);
       S       : Robot.Session.State;
       P       : Robot.Session.Progress;
-      Wanted  : Asking.Request;
+      Wanted  : Commands.Request;
       Next    : Robot.Session.Step;
       Last    : Robot.Session.Step_Result;
       Choice  : Byte;
@@ -127,16 +121,16 @@ package body Robot_Targets is
    begin
       while not Is_Empty (R) loop
          Take (R, Choice);
-         Wanted.Kind := Asking.Request_Kind'Val
+         Wanted.Kind := Commands.Request_Kind'Val
            (Natural (Choice)
-            mod (Asking.Request_Kind'Pos
-                   (Asking.Request_Kind'Last) + 1));
+            mod (Commands.Request_Kind'Pos
+                   (Commands.Request_Kind'Last) + 1));
          Wanted.Command :=
            (case Choice / 16 mod 4 is
-               when 0 => Asking.Forward,
-               when 1 => Asking.Left,
-               when 2 => (Asking.Move, 1),
-               when others => Asking.Still);
+               when 0 => Commands.Forward,
+               when 1 => Commands.Left,
+               when 2 => (Commands.Move, 1),
+               when others => Commands.Still);
          Robot.Session.Start_Request (S, Wanted, P);
          Steps := 0;
          loop

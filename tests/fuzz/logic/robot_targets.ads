@@ -8,10 +8,7 @@ package Robot_Targets is
 
    procedure Frames (Data : Bytes.Byte_Array);
    --  Data as what the serial line delivers, then as one frame: read as the
-   --  answer to each command
-
-   procedure Commands (Data : Bytes.Byte_Array);
-   --  Data as commands to be written
+   --  answer to each command; and as commands to be written
 
    procedure Sessions (Data : Bytes.Byte_Array);
    --  Data as requests of the monitor and answers of the robot in turn

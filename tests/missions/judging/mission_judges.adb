@@ -16,14 +16,7 @@ package body Mission_Judges is
 
    procedure Start (J : out Judge; P : Plan) is
    begin
-      J.Count := P.Count;
-      J.Points := P.Points;
-      J.Worst := (0 => 0.0, others => Long_Float'Last);
-      J.Nearest := Long_Float'Last;
-      J.Last_Seen := 0.0;
-      J.Any_Seen := False;
-      J.Blind := 0.0;
-      J.Driving := False;
+      J := (Count => P.Count, Points => P.Points, others => <>);
    end Start;
 
    procedure See_Position (J : in out Judge; Time : Duration) is

@@ -18,7 +18,7 @@ package Mission_Judges is
    Slowest        : constant := 1.5;
    --  To the time of an exact robot
 
-   type Judge is limited private;
+   type Judge is private;
 
    procedure Start (J : out Judge; P : Plan);
 
@@ -77,7 +77,7 @@ private
 
    type Distances is array (Point_Count) of Long_Float;
 
-   type Judge is limited record
+   type Judge is record
       Count     : Point_Count := 0;
       Points    : Place_Array;
       Worst     : Distances := (0 => 0.0, others => Long_Float'Last);

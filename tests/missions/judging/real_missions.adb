@@ -9,6 +9,7 @@ with Instants;              use Instants;
 with Monitor_Clients;       use Monitor_Clients;
 with Plain_Numbers;         use Plain_Numbers;
 with Rigs;
+with Robot_Motion;
 with Robot_Truths;
 
 package body Real_Missions is
@@ -75,11 +76,7 @@ package body Real_Missions is
                 & " --position-noise " & Image (Displacement));
    end Options;
 
-   procedure Run
-     (P   : Plan;
-      V   : out Verdict;
-      See : access procedure (Where : Robot_Motion.Pose) := null)
-   is
+   procedure Run (P : Plan; V : out Verdict) is
       R      : Rigs.Rig;
       J      : Judge;
       Begun  : Instant;
@@ -107,9 +104,6 @@ package body Real_Missions is
          See_Pose (J, Time - Begun, Where, Driving);
          Last := Where;
          Drives := Driving;
-         if See /= null then
-            See (Where);
-         end if;
       end See_Pose;
 
    begin

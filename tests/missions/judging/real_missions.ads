@@ -4,17 +4,12 @@
 
 with Mission_Judges; use Mission_Judges;
 with Mission_Plans;  use Mission_Plans;
-with Robot_Motion;
 
 package Real_Missions is
 
-   procedure Run
-     (P   : Plan;
-      V   : out Verdict;
-      See : access procedure (Where : Robot_Motion.Pose) := null);
+   procedure Run (P : Plan; V : out Verdict);
    --  From nothing: starts the programs, robot, camera and positions, asks for
-   --  the mission and waits for its end. See gets where the robot truly was,
-   --  each millisecond. Raises Failed where a mission cannot even begin, or
-   --  the truth is not certain.
+   --  the mission and waits for its end. Raises Failed where a mission cannot
+   --  even begin, or where the robot truly was is not certain.
 
 end Real_Missions;
