@@ -12,7 +12,6 @@ with Budgets;
 with Busy_Loops;
 with Emulators;
 with Expectations;          use Expectations;
-with Host_Time;
 with Instants;              use Instants;
 with Monitor_Clients;       use Monitor_Clients;
 with Own_Process;
@@ -201,8 +200,8 @@ package body Deadline_Times is
       Connect (R);
       R.Monitor.Send_Line ("RPIN");
       Spans.Append ((First_Answer, Begun, R.Monitor.Next_Answer.Time));
-      Start_Robot (R, Watchdog => True);
-      Open_Camera (R, Positions => True);
+      Play (R, Guarded);
+      Play (R, With_Positions);
       Missed := R.Emulator.Status_Number ("missed_total");
       First := R.Monitor.Count + 1;
       Due := Now;
@@ -394,7 +393,7 @@ package body Deadline_Times is
       Times     : Subject_Times;
       Deadlines : Subject_Deadlines;
       Count     : Tally;
-      Host      : constant Duration := Host_Time.Taken;
+      Host      : constant Duration := Standstills.Taken_By_Host;
       End_Time  : Instant;
       Taken     : Duration;
       Said      : Instant := Now;
@@ -452,7 +451,7 @@ package body Deadline_Times is
          exception
             when Problem : Failed =>
                Check (R.Supervisor.Is_Running,
-                      "the supervisor has ended: " & R.Supervisor.Log_Text);
+                      "the supervisor has ended: " & R.Supervisor.Text);
                Count.Broken := Count.Broken + 1;
                Reports.Put_Note ("session" & Count.Sessions'Image & ": "
                                  & Ada.Exceptions.Exception_Message (Problem));
@@ -487,7 +486,7 @@ package body Deadline_Times is
       Put ("battery levels that did not come", Count.Levels, 0);
       Reports.Put_Number ("longest stand-still of a processor",
                           1.0E6 * Float (Standstills.Longest), "us");
-      Taken := Host_Time.Taken - Host;
+      Taken := Standstills.Taken_By_Host - Host;
       Reports.Put_Number
         ("longest way of a byte through another pseudo-terminal",
          1.0E6 * Float (Standstills.Longest_Line), "us");

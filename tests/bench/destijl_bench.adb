@@ -151,7 +151,7 @@ procedure Destijl_Bench is
       Shown   : Natural := 0;
       Ended   : Boolean;
    begin
-      Program.Start
+      Program.Launch
         (Programs.Beside ("image_times"),
          Child_Processes.Words
            ("--out " & Programs.Temporary_Folder & " --samples"

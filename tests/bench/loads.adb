@@ -25,7 +25,7 @@ package body Loads is
       Label : constant String := "deadlines: ";
       Log   : constant String :=
         (if Of_Supervisor.Says (Label, Patience)
-         then Of_Supervisor.Log_Text else "");
+         then Of_Supervisor.Text else "");
       First : constant Natural := Index (Log, Label) + Label'Length;
    begin
       Check (Log /= "", "the supervisor says nothing of its deadlines");
@@ -34,11 +34,9 @@ package body Loads is
 
    function Launcher return String is
       Raised : constant String := "prlimit --memlock=unlimited:unlimited";
-      Trial  : Child;
    begin
-      Trial.Start ("env", Words (Raised & " true"));
       return
-        (if Trial.Exit_Status = 0
+        (if Status_Of (Raised & " true") = 0
          then Raised & " " & Programs.As_Service
          else Programs.As_Service ("+sys_nice,+ipc_lock"));
    end Launcher;
@@ -206,10 +204,10 @@ package body Loads is
    begin
       --  the analysis has such a camera beside missions
       Assemble (R, (if Missions then "--camera-fps 30" else ""), Options);
-      Start_Robot (R, Watchdog => True);
-      Open_Camera (R, Positions => True);
+      Play (R, Guarded);
+      Play (R, With_Positions);
       if Missions then
-         Search_Arena (R);
+         Play (R, Arena_Searched);
          R.Monitor.Send_Line ("CACO");
          for Number in 1 .. 4 loop
             Unused := R.Monitor.Next_Of ("CPOS");

@@ -143,7 +143,7 @@ package body Order_Times is
       Number : Natural;
       Line   : Unbounded_String;
    begin
-      Process.Start
+      Process.Launch
         (Programs.Beside ("forwarder"),
          Words
            (Device (Floor)

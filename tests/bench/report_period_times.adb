@@ -131,7 +131,7 @@ begin
    Await_Message (Both_Ends.Ours, "CIMG", Count => 5);
    if Compared then
       for Which in Subject loop
-         Cyclic (Which).Start
+         Cyclic (Which).Launch
            ("cyclictest",
             Words
               ("--mlockall --quiet --default-system --threads=1"

@@ -93,7 +93,7 @@ procedure Report_Task_Times is
    procedure Lose_Monitor (R : in out Rig) is
    begin
       for Abortive in Boolean loop
-         Move_Forward (R);
+         Play (R, Forward);
          if Abortive then
             R.Monitor.Reset;
          else
@@ -108,7 +108,7 @@ procedure Report_Task_Times is
    procedure Stop_Driving (R : in out Rig) is
       --  The orderly stop
    begin
-      Move_Forward (R);
+      Play (R, Forward);
       R.Supervisor.Send_Signal (Libc.Sigterm);
       Check (R.Supervisor.Exit_Status = 0, "the orderly stop fails");
    end Stop_Driving;

@@ -439,7 +439,7 @@ package body Trace_Responses is
       Check (R.Supervisor.Exit_Status = 0,
              "the supervisor did not end in good order");
       Check (not R.Supervisor.Says ("the trace is not complete"),
-             R.Supervisor.Log_Text);
+             R.Supervisor.Text);
    end Make;
 
    procedure Report (Path : String) is

@@ -25,11 +25,11 @@ package Expectations is
    procedure Check_In_Time (Condition : Boolean; Message : String);
    --  The same unless Condition, which is one of time
 
-   procedure Set_Floor (Value : Duration);
-   --  What the machine itself takes; initially 0
+   Own_Time : Duration := 0.0;
+   --  What the machine itself takes
 
-   procedure Ignore_Times;
-   --  From now on the two before only note what they saw
+   Ignore_Times : Boolean := False;
+   --  The two before only note what they saw
 
    procedure Skip (Reason : String) with No_Return;
 

@@ -37,11 +37,6 @@ package body Own_Process is
       Libc.Nice (5);
    end Give_Way;
 
-   procedure Go_First is
-   begin
-      Libc.Nice (-10);
-   end Go_First;
-
    procedure Lock_Memory is
       Once_Used : constant := 7;
       --  MCL_CURRENT, MCL_FUTURE, MCL_ONFAULT

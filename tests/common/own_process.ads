@@ -23,9 +23,6 @@ package Own_Process is
    procedure Give_Way;
    --  The calling thread and those it starts run below ordinary ones
 
-   procedure Go_First;
-   --  For root: they, and the programs it starts, run above ordinary ones
-
    procedure Lock_Memory;
    --  For root: locks the memory of this process. Otherwise the system could
    --  evict the page needed next, and read it from the disk again

@@ -105,13 +105,16 @@ package body Reports is
       Known (Of_What) := Value;
    end Note;
 
-   procedure Note_Times (Set : Samples.Set) is
+   procedure Begin_Times (Name : String; Set : Samples.Set) is
+      --  A row of times
    begin
+      Check (Set.Count > 0, Name & ": nothing measured");
+      Begin_Row (Name, "us");
       Append (Row, ", ""n"": " & Image (Set.Count));
       for F in Time_Figure loop
          Note (F, Micro (Set.Quantile (Shares (F))));
       end loop;
-   end Note_Times;
+   end Begin_Times;
 
    procedure Note_Floor (Set : Samples.Set) is
    begin
@@ -163,9 +166,7 @@ package body Reports is
       Floor  : Samples.Set;
       Wanted : Goals := No_Goals) is
    begin
-      Check (Ours.Count > 0, Name & ": nothing measured");
-      Begin_Row (Name, "us");
-      Note_Times (Ours);
+      Begin_Times (Name, Ours);
       Note_Floor (Floor);
       Put (Head (Name & ", ratio", Name_Width) & Column (""));
       for F in Time_Figure loop
@@ -180,9 +181,7 @@ package body Reports is
    procedure Put
      (Name : String; Ours : Samples.Set; Wanted : Goals := No_Goals) is
    begin
-      Check (Ours.Count > 0, Name & ": nothing measured");
-      Begin_Row (Name, "us");
-      Note_Times (Ours);
+      Begin_Times (Name, Ours);
       Put_Line (Name);
       Put_Times ("this supervisor", Ours);
       End_Row (Wanted);
@@ -206,9 +205,7 @@ package body Reports is
       end Put_Excess;
 
    begin
-      Check (Ours.Count > 0, Name & ": nothing measured");
-      Begin_Row (Name, "us");
-      Note_Times (Ours);
+      Begin_Times (Name, Ours);
       Put_Line (Name);
       Put_Times ("this supervisor", Ours);
       Put_Excess ("bound", "longer", Kept.Bound, Kept.Longer, Kept.Longer_Ran);

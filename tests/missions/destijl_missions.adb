@@ -9,7 +9,6 @@ with GNAT.OS_Lib;
 
 with Emulators;
 with Expectations;
-with Host_Time;
 with Json_Texts;            use Json_Texts;
 with Mission_Judges;        use Mission_Judges;
 with Mission_Pictures;
@@ -174,7 +173,7 @@ procedure Destijl_Missions is
       P.Radio := Radio;
       loop
          Standstills.Forget;
-         Host_Before := Host_Time.Taken;
+         Host_Before := Standstills.Taken_By_Host;
          declare
             V : Verdict;
          begin

@@ -2,18 +2,14 @@
 --  F14 to F19: the camera, the arena and the positions.
 
 with Ada.Directories;
-with Ada.Strings;           use Ada.Strings;
 with Ada.Strings.Fixed;     use Ada.Strings.Fixed;
 with Ada.Strings.Unbounded; use Ada.Strings.Unbounded;
-with Interfaces.C;          use Interfaces.C;
 
 with Child_Processes;       use Child_Processes;
-with Dialogues;             use Dialogues;
 with Emulators;
 with Expectations;          use Expectations;
 with Images;
 with Instants;              use Instants;
-with Libc;
 with Monitor_Clients;       use Monitor_Clients;
 with Plain_Numbers;         use Plain_Numbers;
 with Process_Facts;
@@ -57,8 +53,8 @@ procedure Camera_Tests is
    function Next_Position (R : in out Rig) return Position is
      (Parsed (R.Monitor.Next_Of ("CPOS")));
 
-   function Expect_Seen (R : in out Rig; Id : Natural; Truth : Emulators.Truth)
-     return Position
+   procedure Expect_Seen
+     (R : in out Rig; Id : Natural; Truth : Emulators.Truth)
    is
       --  The robot as exactly as F18 has it, twice in succession. The first
       --  positions may be of images under way
@@ -85,15 +81,6 @@ procedure Camera_Tests is
              "seen" & Seen.Id'Image & Seen.Angle'Image & Seen.Cx'Image
              & Seen.Cy'Image & ", true are" & Truth.Angle'Image
              & Truth.Cx'Image & Truth.Cy'Image);
-      return Seen;
-   end Expect_Seen;
-
-   procedure Expect_Seen
-     (R : in out Rig; Id : Natural; Truth : Emulators.Truth)
-   is
-      Unused : constant Position := Expect_Seen (R, Id, Truth);
-   begin
-      null;
    end Expect_Seen;
 
    function Facts_After (R : in out Rig; Count : Positive) return Images.Facts
@@ -102,7 +89,7 @@ procedure Camera_Tests is
    begin
       R.Monitor.Skip_To_Now;
       R.Monitor.Await ("CIMG", Count);
-      return Images.Seen (R.Monitor.Last_Image);
+      return Images.Seen (R.Monitor.Image);
    end Facts_After;
 
    procedure Expect_Size (R : in out Rig; Width, Height : Positive) is
@@ -125,10 +112,20 @@ procedure Camera_Tests is
 
    procedure Find_Arena (R : in out Rig) is
    begin
-      Search_Arena (R);
-      Check (Images.Seen (R.Monitor.Last_Image).Coloured >= Images.Drawn,
+      Play (R, Arena_Searched);
+      Check (Images.Seen (R.Monitor.Image).Coloured >= Images.Drawn,
              "the arena is not drawn in the image of the search");
    end Find_Arena;
+
+   procedure Start_Still (R : in out Rig) is
+      --  A file as camera, and the emulator that has made it
+      Path : constant String := Programs.Temporary_Folder & "/arena.jpg";
+   begin
+      R.Emulator.Start
+        (Camera => True, Options => "--pose 30,40,60 --marker-id 7");
+      R.Emulator.Save_Snapshot (Path);
+      Start (R, "--camera " & Path);
+   end Start_Still;
 
    procedure Check_Period
      (R         : in out Rig;
@@ -165,24 +162,18 @@ procedure Camera_Tests is
         (Periods.Usual_Worst (Count), Longest, "the longest of " & Label);
    end Check_Period;
 
-   procedure Open_And_Close is
-      R           : Rig;
-      Descriptors : Natural;
-      Threads     : Natural;
+   procedure Open_And_Close (R : in out Rig) is
+      Cycle  : constant String :=
+        "COPN AACK, COPN AACK, comes CIMG, CCLS AACK, CCLS AACK";
+      Before : Process_Facts.Footprint;
    begin
-      Assemble (R, Camera => True);
-      for Attempt in 1 .. 12 loop
-         Play (R, "COPN AACK, COPN AACK, comes CIMG, CCLS AACK, CCLS AACK");
-         if Attempt = 2 then
-            Descriptors := Process_Facts.Descriptors (R.Supervisor.Pid);
-            Threads := Process_Facts.Threads (R.Supervisor.Pid);
-         end if;
-      end loop;
-      R.Emulator.Await_Status ("viewers", "0");
-      Check (Process_Facts.Descriptors (R.Supervisor.Pid) <= Descriptors,
-             "descriptors leak with the camera");
-      Check (Process_Facts.Threads (R.Supervisor.Pid) <= Threads,
-             "threads leak with the camera");
+      Play (R, Cycle, Times => 2);
+      Before := Process_Facts.Footprint_Of (R.Supervisor.Pid);
+      Play (R, Cycle, Times => 10);
+      Play (R, "status viewers 0");
+      Process_Facts.Expect_Flat (R.Supervisor.Pid, Before,
+                                 Kilobytes => 20_000);
+      --  images come and go
    end Open_And_Close;
 
    procedure Open_Fails is
@@ -190,8 +181,7 @@ procedure Camera_Tests is
       procedure Refuse (Source : String) is
          R : Rig;
       begin
-         R.Supervisor.Start ("--camera " & Source);
-         Connect (R);
+         Start (R, "--camera " & Source);
          Play (R, "COPN ANAK, CPCO ANAK, COPN ANAK, silence 0.2 CIMG");
       end Refuse;
 
@@ -204,30 +194,26 @@ procedure Camera_Tests is
       E.Start (Camera => True);
       --  answers, but with text
       Refuse
-        (E.Camera_Url (1 .. Index (E.Camera_Url, "/", Backward)) & "pose");
+        (E.Camera_Url
+           (1 .. Index (E.Camera_Url, "/", Ada.Strings.Backward)) & "pose");
    end Open_Fails;
 
-   procedure Loaded_When_Opened is
+   procedure Loaded_When_Opened (R : in out Rig) is
       --  OpenCV, while the robot drives; before, the supervisor is small
       Small : constant := 20_000;
       --  Kilobytes
-      R     : Rig;
-      Size  : Natural;
+      Size  : constant Natural :=
+        Process_Facts.Resident_Kilobytes (R.Supervisor.Pid);
+
+      function Is_Loaded return Boolean is
+        (Process_Facts.Has_Mapped
+           (R.Supervisor.Pid, Programs.Vision_Library));
    begin
-      Assemble (R, Camera => True);
-      Play (R, "ROPN AACK, RSWW AACK, RGFW AACK, CPCO ANAK, CCLS AACK");
-      Size := Process_Facts.Resident_Kilobytes (R.Supervisor.Pid);
       Note ("without the camera" & Size'Image & " kB");
       Check (Size < Small, "large without the camera:" & Size'Image & " kB");
-      Check
-        (not Process_Facts.Has_Mapped
-               (R.Supervisor.Pid, Programs.Vision_Library),
-         "loaded before the camera is opened");
-      Open_Camera (R);
-      Check
-        (Process_Facts.Has_Mapped
-           (R.Supervisor.Pid, Programs.Vision_Library), "not loaded");
-      Play (R, "status moving 1, status disabled_count 0");
+      Check (not Is_Loaded, "loaded before the camera is opened");
+      Play (R, With_Images & ", status moving 1, status disabled_count 0");
+      Check (Is_Loaded, "not loaded");
    end Loaded_When_Opened;
 
    procedure Library_Missing is
@@ -240,68 +226,36 @@ procedure Camera_Tests is
       R       : Rig;
    begin
       Create_Path (Folder);
-      if Exists (Library) then
-         --  of an attempt before
-         Delete_File (Library);
-      end if;
-      Copy_File (Programs.Supervisor, Copy);
-      Check (Libc.Chmod (To_C (Copy), 8#755#) = 0, "the copy cannot be run");
+      Copy_File (Programs.Supervisor, Copy, Form => "preserve=all_attributes");
       Assemble (R, Camera => True, Program => Copy);
       Play (R, "COPN ANAK, log libdestijl_vision.so: cannot open,"
             & " ROPN AACK, RSOW AACK, RGFW AACK, status moving 1, CCLS AACK,"
             & " COPN ANAK");
       Copy_File (Programs.Vision_Library, Library);
-      Open_Camera (R);
+      Play (R, With_Images);
    end Library_Missing;
 
-   procedure Open_Takes_Long is
+   procedure Open_Takes_Long (R : in out Rig) is
       --  A camera that accepts the connection and sends nothing delays neither
       --  the robot, nor the end of the session, nor that of the supervisor.
-      R    : Rig;
-      Item : Message;
-      Time : Instant;
-
-      procedure Begin_Opening is
-         Mark : constant Natural := R.Supervisor.Log_Length;
-      begin
-         Time := Now;
-         R.Monitor.Send_Line ("COPN");
-         R.Supervisor.Expect_Log ("received COPN", After => Mark);
-      end Begin_Opening;
-
+      Opening : constant String := "send COPN, log received COPN";
+      Item    : Message;
+      Time    : constant Instant := Now;
    begin
-      Assemble (R, Camera => True, Supervisor_Options => "--log-level debug");
-      Move_Forward (R);
-      R.Emulator.Tell ("camera stall");
       R.Monitor.Skip_To_Now;
-      Begin_Opening;
-      R.Monitor.Send_Line ("RSTP");
+      Play (R, Opening & ", send RSTP");
       Item := R.Monitor.Next_Answer;
       Check_Within (Item.Time - Time, 10.0, "to refuse the camera");
-      Check (Item.Label = "ANAK", "COPN was answered " & Item.Label);
-      Check_Label (R.Monitor.Next_Answer, "AACK", "the stop");
+      Check_Label (Item, "ANAK", "COPN");
+      Play (R, "answer AACK");
       Check (R.Emulator.Await_On_Wire ("M=0").First < Item.Time,
              "the stop waits for the camera");
 
-      --  The monitor disconnects while the camera is being opened
-      Begin_Opening;
-      Time := Now;
-      R.Monitor.Close;
-      R.Supervisor.Expect_Log ("session closed");
-      Check_Within (R.Supervisor.Time_Of ("session closed") - Time, 2.0,
-                    "closing the session");
-      R.Emulator.Tell ("camera on");
-      Connect (R);
-      Open_Camera (R);
-      R.Monitor.Expect ("CCLS", "AACK");
-
-      --  The supervisor is stopped while the camera is being opened
-      R.Emulator.Tell ("camera stall");
-      Begin_Opening;
-      Time := Now;
-      R.Supervisor.Send_Signal (Libc.Sigterm);
-      Check (R.Supervisor.Exit_Status = 0, "exit status");
-      Check_Within (Now - Time, 3.0, "the end");
+      --  The monitor disconnects while the camera is being opened; then the
+      --  supervisor is stopped
+      Play (R, Opening & ", close, over, tell camera on, connect, "
+            & With_Images & ", CCLS AACK, tell camera stall");
+      Play (R, Opening & ", signal 15, ends 0");
    end Open_Takes_Long;
 
    procedure Add_Period
@@ -312,62 +266,46 @@ procedure Camera_Tests is
       Options           : String := "")
    is
 
-      procedure Run is
-         R : Rig;
+      procedure Run (R : in out Rig) is
       begin
-         Assemble (R, Camera => True, Supervisor_Options => Options);
-         Open_Camera (R, Positions => Label = "CPOS");
          Check_Period (R, Label, Count, Period, Tolerance, Longest);
          Check (R.Monitor.Broken_Images = 0, "a broken image");
       end Run;
 
    begin
-      Add (Name, Run'Access, Timed => True);
+      Script (Name, (if Label = "CPOS" then With_Positions else With_Images),
+              Run'Access, Camera => True, Supervisor_Options => Options,
+              Timed => True);
    end Add_Period;
 
    procedure Still_Image_Period is
-      E    : Emulators.Emulator;
-      R    : Rig;
-      Path : constant String := Programs.Temporary_Folder & "/arena.jpg";
+      R : Rig;
    begin
-      E.Start (Camera => True);
-      E.Save_Snapshot (Path);
-      R.Supervisor.Start ("--camera " & Path);
-      Connect (R);
-      Open_Camera (R, Positions => True);
+      Start_Still (R);
+      Play (R, With_Positions);
       Check_Period (R, "CIMG", 4, 0.1, 0.01, 0.3);
    end Still_Image_Period;
 
-   procedure Other_Rate_And_Size is
-      R : Rig;
+   procedure Other_Rate_And_Size (R : in out Rig) is
    begin
-      Assemble (R, Camera => True,
-                Supervisor_Options =>
-                  "--fps 4 --frame-size 320x240 --jpeg-quality 40");
-      Open_Camera (R);
       Expect_Size (R, 320, 240);
-      Check (R.Monitor.Last_Image'Length < 40_000, "a large image");
+      Check (R.Monitor.Image'Length < 40_000, "a large image");
    end Other_Rate_And_Size;
 
-   procedure Own_Jpeg is
+   procedure Own_Jpeg (R : in out Rig) is
       --  The camera's JPEG is passed on unchanged, unless something is drawn
       Path : constant String := Programs.Temporary_Folder & "/own.jpg";
-      R    : Rig;
 
       procedure Expect_Own (Own : Boolean; What : String) is
       begin
          Expect_Drawn (R, not Own, What);
-         Check (Images.Is_File (R.Monitor.Last_Image, Path) = Own,
+         Check (Images.Is_File (R.Monitor.Image, Path) = Own,
                 What & (if Own then ": not" else ": still")
                 & " the camera's own image");
       end Expect_Own;
 
    begin
       --  Without noise all images are equal
-      Assemble (R, Camera => True,
-                Emulator_Options => "--noise 0 --pose 30,40,60",
-                Supervisor_Options => "--jpeg-quality 20");
-      Open_Camera (R);
       R.Emulator.Save_Snapshot (Path);
       Expect_Own (True, "from the beginning");
       R.Monitor.Expect ("CPCO", "AACK");
@@ -379,9 +317,8 @@ procedure Camera_Tests is
       Expect_Own (False, "with the arena");
    end Own_Jpeg;
 
-   procedure Changing_Size is
+   procedure Changing_Size (R : in out Rig) is
       --  In mid-stream, there and back
-      R : Rig;
 
       procedure Change (Size : String; Width, Height : Positive) is
       begin
@@ -390,58 +327,29 @@ procedure Camera_Tests is
       end Change;
 
    begin
-      Assemble (R, Camera => True);
-      Open_Camera (R);
       Expect_Size (R, 640, 480);
       Change ("320x180", 640, 360);
       Change ("1x1", 480, 480);
       Change ("1920x1080", 640, 360);
       Change ("640x480", 640, 480);
-      Check (R.Monitor.Broken_Images = 0, "a broken image");
-   end Changing_Size;
 
-   procedure Damaged_Images is
-      --  For less than the camera's time-out; damaged images may be sent if
-      --  they can be decoded, others may not
-      R : Rig;
-   begin
-      Assemble (R, Camera => True);
-      Open_Camera (R);
+      --  Damaged for less than the camera's time-out: such images may be sent
+      --  if they can be decoded, others may not
       for Attempt in 1 .. 4 loop
          Play (R, "tell camera garbage, wait 0.3, tell camera mend");
          Expect_Size (R, 640, 480);
       end loop;
       Check (R.Monitor.Broken_Images = 0, "a broken image");
-      R.Monitor.Expect ("CCLS", "AACK");
-   end Damaged_Images;
+   end Changing_Size;
 
    procedure Still_Image is
-      --  A file as camera
-      E    : Emulators.Emulator;
-      R    : Rig;
-      Path : constant String := Programs.Temporary_Folder & "/arena.jpg";
-   begin
-      E.Start (Camera => True, Options => "--pose 30,40,60 --marker-id 7");
-      E.Save_Snapshot (Path);
-      R.Supervisor.Start ("--camera " & Path);
-      Connect (R);
-      Open_Camera (R, Positions => True);
-      Expect_Seen (R, 7, E.Pose);
-      R.Monitor.Expect ("CCLS", "AACK");
-      Open_Camera (R);
-   end Still_Image;
-
-   procedure No_Image_After_Close is
       R : Rig;
    begin
-      Assemble (R, Camera => True);
-      for Attempt in 1 .. 6 loop
-         Open_Camera (R, Positions => Attempt mod 2 = 0);
-         delay 0.13 * Attempt / 3;
-         R.Monitor.Expect ("CCLS", "AACK");
-         R.Monitor.Expect_Silence ("CIMG CPOS", For_Time => 0.4);
-      end loop;
-   end No_Image_After_Close;
+      Start_Still (R);
+      Play (R, With_Positions);
+      Expect_Seen (R, 7, R.Emulator.Pose);
+      Play (R, "CCLS AACK, " & With_Images);
+   end Still_Image;
 
    type Coordinates is array (1 .. 8) of Float;
 
@@ -459,17 +367,12 @@ procedure Camera_Tests is
       Check (First > Answer'Last, Answer);
    end Check_Ground;
 
-   procedure Arena_Decided is
+   procedure Arena_Decided (R : in out Rig) is
       --  Rejected, then confirmed, searched again, and discarded with the
       --  camera; positions stay true inside it
-      R : Rig;
    begin
-      Assemble (R, Camera => True, Emulator_Options => "--pose 20,15,30");
-      Open_Camera (R);
       Find_Arena (R);
-      R.Monitor.Expect ("CARN", "ANAK");
-      R.Monitor.Send_Line ("CAIN");
-      R.Monitor.Expect ("CARN", "ANAK");
+      Play (R, "CARN ANAK, send CAIN, CARN ANAK");
       Expect_Drawn (R, False, "the rejected arena");
       for Attempt in 1 .. 2 loop
          Find_Arena (R);
@@ -489,30 +392,25 @@ procedure Camera_Tests is
       Expect_Drawn (R, False, "the discarded arena");
    end Arena_Decided;
 
-   procedure Drawn_As_Asked is
+   procedure Add_Drawn (Choice : String; Arena : Boolean) is
 
-      procedure Expect (Choice : String; Arena : Boolean) is
-         R        : Rig;
-         Coloured : Natural;
+      procedure Run (R : in out Rig) is
+         Coloured : Natural := Facts_After (R, 2).Coloured;
       begin
-         Assemble
-           (R, Camera => True, Supervisor_Options => "--draw " & Choice);
-         Open_Camera (R, Positions => True);
-         Coloured := Facts_After (R, 2).Coloured;
          Check (Coloured < Images.Drawn / 4, "the robot is drawn");
          Find_Arena (R);
          R.Monitor.Send_Line ("CACO");
          Coloured := Facts_After (R, 2).Coloured;
          Check ((if Arena then Coloured >= Images.Drawn
                  else Coloured < Images.Drawn / 4),
-                Choice & ": confirmed, coloured are" & Coloured'Image);
+                "confirmed, coloured are" & Coloured'Image);
          Check (Next_Position (R).Id = 1, "the robot is not seen");
-      end Expect;
+      end Run;
 
    begin
-      Expect ("arena", Arena => True);
-      Expect ("none", Arena => False);
-   end Drawn_As_Asked;
+      Script ("F17_F18_Drawn_As_Asked_" & Choice, With_Positions, Run'Access,
+              Camera => True, Supervisor_Options => "--draw " & Choice);
+   end Add_Drawn;
 
    procedure Nothing_Found is
       --  Neither the arena nor a robot
@@ -520,8 +418,7 @@ procedure Camera_Tests is
       Path : constant String := Programs.Temporary_Folder & "/empty.jpg";
    begin
       Images.Write_Empty (Path);
-      R.Supervisor.Start ("--camera " & Path);
-      Connect (R);
+      Start (R, "--camera " & Path);
       --  no decision: the images continue
       Play (R, With_Images & ", CASA ANAK, comes CIMG, comes CIMG, CPCO AACK");
       for Number in 1 .. 5 loop
@@ -536,32 +433,24 @@ procedure Camera_Tests is
       R.Monitor.Await ("CIMG");
    end Nothing_Found;
 
-   procedure Decision_Alone is
+   procedure Decision_Alone (R : in out Rig) is
       --  Without a search
-      R : Rig;
    begin
-      Assemble (R, Camera => True);
-      Play
-        (R, "send CACO, send CAIN, " & With_Images & ", send CACO, send CAIN");
       Expect_Drawn (R, False, "an arena that was never found");
       R.Monitor.Expect ("what", "ACER");
    end Decision_Alone;
 
-   procedure Positions_True is
-      R    : Rig;
-      Seen : Position;
+   procedure Positions_True (R : in out Rig) is
 
       procedure Try (X, Y, Heading : Integer) is
       begin
          R.Emulator.Tell
            ("pose " & Image (X) & " " & Image (Y) & " " & Image (Heading));
-         Seen := Expect_Seen (R, 42, R.Emulator.Pose);
+         Expect_Seen (R, 42, R.Emulator.Pose);
       end Try;
 
+      Upright : Float;
    begin
-      Assemble (R, Camera => True,
-                Emulator_Options => "--marker-id 42 --noise 3");
-      Open_Camera (R, Positions => True);
       for Step in 0 .. 11 loop
          Try (X => 15 + (Step * 37) mod 50, Y => 12 + (Step * 23) mod 36,
               Heading => Step * 30);
@@ -569,33 +458,29 @@ procedure Camera_Tests is
       Try (40, 30, 45);
       Try (40, 30, 180);
       Try (40, 30, 90);
-      Check (abs (Seen.Angle - 90.0) <= 1.0,
-             "an upright marker is at" & Seen.Angle'Image);
+      Upright := Next_Position (R).Angle;
+      Check (abs (Upright - 90.0) <= 1.0,
+             "an upright marker is at" & Upright'Image);
    end Positions_True;
 
-   procedure Positions_Every_Image is
+   procedure Positions_Every_Image (R : in out Rig) is
       Count  : constant := 40;
-      R      : Rig;
       Before : Natural;
-      After  : Natural;
+      Shown  : Natural;
    begin
-      Assemble (R, Camera => True);
-      Open_Camera (R, Positions => True);
       R.Monitor.Skip_To_Now;
       Before := R.Monitor.Count_Of ("CIMG");
       R.Monitor.Await ("CPOS", Count);
-      After := R.Monitor.Count_Of ("CIMG");
-      Check (abs (After - Before - Count) <= 4,
-             Count'Image & " positions," & Natural'Image (After - Before)
-             & " images");
-      Check (Images.Seen (R.Monitor.Last_Image).Coloured >= Images.Drawn / 4,
+      Shown := R.Monitor.Count_Of ("CIMG") - Before;
+      Check (abs (Shown - Count) <= 4,
+             Count'Image & " positions," & Shown'Image & " images");
+      Check (Images.Seen (R.Monitor.Image).Coloured >= Images.Drawn / 4,
              "the robot is not drawn");
    end Positions_Every_Image;
 
-   procedure Position_Of_Late_Image is
+   procedure Position_Of_Late_Image (R : in out Rig) is
       --  The camera is a second late
-      R         : Rig;
-      Here      : Emulators.Truth;
+      Here      : constant Emulators.Truth := R.Emulator.Pose;
       There     : Emulators.Truth;
       Moved     : Instant;
       Item      : Message;
@@ -606,11 +491,6 @@ procedure Camera_Tests is
          and then abs (Parsed (Item).Cy - Place.Cy) <= 12.0);
 
    begin
-      Assemble (R, Camera => True,
-                Emulator_Options =>
-                  "--pose 20,20,0 --camera-delay 1000 --position-noise 2");
-      Open_Camera (R, Positions => True);
-      Here := R.Emulator.Pose;
       for Number in 1 .. 20 loop
          Item := R.Monitor.Next_Of ("CPOS");
          Check (Is_At (Here), "it is not seen where it stands");
@@ -629,47 +509,31 @@ procedure Camera_Tests is
       Check_Within (Item.Time - Moved, 2.0, "an image");
    end Position_Of_Late_Image;
 
-   procedure Position_Of_Triangle is
-      R : Rig;
+   procedure Position_Of_Triangle (R : in out Rig) is
    begin
-      Assemble (R, Camera => True,
-                Emulator_Options => "--marker triangle --pose 50,20,120",
-                Supervisor_Options => "--marker triangle");
-      Open_Camera (R, Positions => True);
       Expect_Seen (R, 0, R.Emulator.Pose);
    end Position_Of_Triangle;
 
-   procedure Position_Stopped is
-      R    : Rig;
+   procedure Position_Stopped (R : in out Rig) is
       Mark : Natural;
    begin
-      Assemble (R, Camera => True);
-      R.Monitor.Expect ("CPST", "AACK");
       for Attempt in 1 .. 3 loop
-         Open_Camera (R, Positions => True);
-         R.Monitor.Expect ("CPCO", "AACK");
-         R.Monitor.Expect ("CPST", "AACK");
-         R.Monitor.Expect ("CPST", "AACK");
+         Play (R, With_Positions & ", CPCO AACK, CPST AACK, CPST AACK");
          --  one may have been under way
          R.Monitor.Await ("CIMG", 3);
          Mark := R.Monitor.Count_Of ("CPOS");
          R.Monitor.Await ("CIMG", 5);
          Check (R.Monitor.Count_Of ("CPOS") = Mark, "positions go on");
-         Check (Images.Seen (R.Monitor.Last_Image).Coloured < Images.Drawn,
+         Check (Images.Seen (R.Monitor.Image).Coloured < Images.Drawn,
                 "the robot is still drawn");
       end loop;
    end Position_Stopped;
 
-   procedure Loop_Closes is
+   procedure Loop_Closes (R : in out Rig) is
       --  Order, motion, image, position
-      R      : Rig;
-      Before : Position;
+      Before : constant Position := Next_Position (R);
       After  : Position;
    begin
-      Assemble (R, Camera => True, Emulator_Options => "--pose 20,30,0");
-      Start_Robot (R, Watchdog => True);
-      Open_Camera (R, Positions => True);
-      Before := Next_Position (R);
       Play (R, "RMOV:200 AACK, status moving 0");
       for Number in 1 .. 20 loop
          After := Next_Position (R);
@@ -681,11 +545,16 @@ procedure Camera_Tests is
    end Loop_Closes;
 
 begin
-   Add ("F14_F16_Open_And_Close", Open_And_Close'Access);
+   Script ("F14_F16_Open_And_Close", "", Open_And_Close'Access,
+           Camera => True);
    Add ("F14_Open_Fails", Open_Fails'Access);
-   Add ("F14_Library_Loaded_When_Opened", Loaded_When_Opened'Access);
+   Script ("F14_Library_Loaded_When_Opened",
+           Guarded & ", RGFW AACK, CPCO ANAK, CCLS AACK",
+           Loaded_When_Opened'Access, Camera => True);
    Add ("F14_Library_Missing", Library_Missing'Access);
-   Add ("F14_Open_Takes_Long", Open_Takes_Long'Access, In_Time => True);
+   Script ("F14_Open_Takes_Long", Forward & ", tell camera stall",
+           Open_Takes_Long'Access, Camera => True,
+           Supervisor_Options => "--log-level debug", In_Time => True);
    Script ("F14_Not_Open_Is_ANAK",
            "CPCO ANAK, CASA ANAK, CPST AACK, CCLS AACK, " & With_Images
            & ", CCLS AACK, CASA ANAK", Camera => True);
@@ -693,12 +562,20 @@ begin
    Add_Period ("F15_Image_Period", "CIMG", 12, 0.1, 0.003, 0.2);
    Add_Period ("F15_Other_Period", "CIMG", 4, 0.25, 0.02, 0.5, "--fps 4");
    Add ("F15_Still_Image_Period", Still_Image_Period'Access, Timed => True);
-   Add ("F15_Other_Rate_Size_And_Quality", Other_Rate_And_Size'Access);
-   Add ("F15_Own_JPEG_Of_The_Camera", Own_Jpeg'Access);
-   Add ("F15_Image_Size_Changes", Changing_Size'Access);
-   Add ("F15_Damaged_Images", Damaged_Images'Access);
+   Script ("F15_Other_Rate_Size_And_Quality", With_Images,
+           Other_Rate_And_Size'Access, Camera => True,
+           Supervisor_Options =>
+             "--fps 4 --frame-size 320x240 --jpeg-quality 40");
+   Script ("F15_Own_JPEG_Of_The_Camera", With_Images, Own_Jpeg'Access,
+           Camera => True, Emulator_Options => "--noise 0 --pose 30,40,60",
+           Supervisor_Options => "--jpeg-quality 20");
+   Script ("F15_Image_Size_Changes_And_Damage", With_Images,
+           Changing_Size'Access, Camera => True);
    Add ("F14_Still_Image_As_Camera", Still_Image'Access);
-   Add ("F16_No_Image_After_Close", No_Image_After_Close'Access);
+   Script ("F16_No_Image_After_Close",
+           With_Images & ", wait $, CCLS AACK, silence 0.4 CIMG CPOS, "
+           & With_Positions & ", wait $, CCLS AACK, silence 0.4 CIMG CPOS",
+           Each => "0.05 0.15 0.25", Camera => True);
    Script ("F15_Camera_Stops_Delivering",
            With_Images & ", tell camera stall, comes "
            & "MSSG:camera closed: it , log camera closed: it ,"
@@ -716,21 +593,37 @@ begin
            & " silence 0.5 CIMG CPOS, COPN ANAK, tell camera on, "
            & With_Images, Camera => True);
    --  Its stream is closed; a new one refused at first
-   Add ("F17_Arena_Confirmed_Or_Rejected", Arena_Decided'Access);
-   Add ("F17_F18_Drawn_As_Asked", Drawn_As_Asked'Access);
+   Script ("F17_Arena_Confirmed_Or_Rejected", With_Images,
+           Arena_Decided'Access, Camera => True,
+           Emulator_Options => "--pose 20,15,30");
+   Add_Drawn ("arena", Arena => True);
+   Add_Drawn ("none", Arena => False);
    Script ("F17_Arena_Of_Stalled_Camera",
            With_Images & ", tell camera stall, wait 1.0, send CASA, send nope,"
            & " answer ANAK, answer ACER, log camera closed, tell camera on,"
            & " CCLS AACK, " & With_Images, Camera => True);
    --  The search waits for an image, until the camera counts as failed
    Add ("F17_F18_Neither_Arena_Nor_Robot", Nothing_Found'Access);
-   Add ("F17_Decision_Without_Search", Decision_Alone'Access);
-   Add ("F18_Positions_True", Positions_True'Access);
-   Add ("F18_Positions_In_Every_Image", Positions_Every_Image'Access);
+   Script ("F17_Decision_Without_Search",
+           "send CACO|CAIN, " & With_Images & ", send CACO|CAIN",
+           Decision_Alone'Access, Camera => True);
+   Script ("F18_Positions_True", With_Positions, Positions_True'Access,
+           Camera => True, Emulator_Options => "--marker-id 42 --noise 3");
+   Script ("F18_Positions_In_Every_Image", With_Positions,
+           Positions_Every_Image'Access, Camera => True);
    Add_Period ("F18_Position_Period", "CPOS", 8, 0.1, 0.004, 0.3);
-   Add ("F18_Position_Of_Triangle", Position_Of_Triangle'Access);
-   Add ("F18_Position_Of_Late_Image",
-        Position_Of_Late_Image'Access, In_Time => True);
-   Add ("F19_Position_Stopped", Position_Stopped'Access);
-   Add ("F12_F18_Loop_Closes", Loop_Closes'Access);
+   Script ("F18_Position_Of_Triangle", With_Positions,
+           Position_Of_Triangle'Access, Camera => True,
+           Emulator_Options => "--marker triangle --pose 50,20,120",
+           Supervisor_Options => "--marker triangle");
+   Script ("F18_Position_Of_Late_Image", With_Positions,
+           Position_Of_Late_Image'Access, Camera => True,
+           Emulator_Options =>
+             "--pose 20,20,0 --camera-delay 1000 --position-noise 2",
+           In_Time => True);
+   Script ("F19_Position_Stopped", "CPST AACK", Position_Stopped'Access,
+           Camera => True);
+   Script ("F12_F18_Loop_Closes", Guarded & ", " & With_Positions,
+           Loop_Closes'Access, Camera => True,
+           Emulator_Options => "--pose 20,30,0");
 end Camera_Tests;

@@ -5,7 +5,6 @@ with Ada.Strings.Fixed;     use Ada.Strings.Fixed;
 with Ada.Strings.Unbounded; use Ada.Strings.Unbounded;
 
 with Child_Processes;       use Child_Processes;
-with Dialogues;             use Dialogues;
 with Emulators;
 with Expectations;          use Expectations;
 with Images;
@@ -17,34 +16,27 @@ with Programs;
 with Rigs;                  use Rigs;
 with Samples;
 with Scenarios;             use Scenarios;
+with Supervisors;
 
 procedure Monitor_Tests is
 
-   type Natural_Array is array (Positive range <>) of Natural;
-
    Lost_And_Back : constant String :=
-     "stops, log monitor lost, over, tell silent off, status moving 0,"
-     & " connect, initial, ROPN AACK, RSOW AACK, RGFW AACK, RSTP AACK";
+     ", stops, log monitor lost, over, tell silent off, status moving 0,"
+     & " connect, " & Initial & ", " & Started & ", RGFW AACK, RSTP AACK";
    --  Stop on the wire, session closed, new monitor admitted, initial state,
    --  all works again
 
-   procedure Answers_Are_Prompt is
+   procedure Answers_Are_Prompt (R : in out Rig) is
       --  F4: 10 ms. Here only the order of magnitude with images and positions
       --  streaming; the benchmark has the figures.
-      Count : constant := 100;
-      R     : Rig;
       Taken : Samples.Set;
       Start : Instant;
       Item  : Message;
    begin
-      Assemble (R, Camera => True);
-      Open_Camera (R, Positions => True);
-      for Number in 1 .. Count loop
-         R.Monitor.Skip_To_Now;
+      for Number in 1 .. 100 loop
          Start := Now;
-         R.Monitor.Send_Line ("what");
-         Item := R.Monitor.Next_Answer;
-         Check (Item.Label = "ACER", "not the answer: " & Item.Label);
+         Item := R.Monitor.Ask ("what");
+         Check_Label (Item, "ACER", "what");
          Taken.Add (Item.Time - Start);
          delay 0.023;
       end loop;
@@ -53,34 +45,17 @@ procedure Monitor_Tests is
       Check_Within (Taken.Usual_Worst (20), 0.1, "the slowest of 20");
    end Answers_Are_Prompt;
 
-   procedure Answers_In_Order is
-      --  Rule 1: quick answers wait for the slow ones before them
-      R : Rig;
-   begin
-      Assemble (R);
-      Play (R, "ROPN AACK, tell delay 45");
-      R.Monitor.Skip_To_Now;
-      R.Monitor.Send
-        ("RPIN" & ASCII.LF & "what" & ASCII.LF & "RGBT" & ASCII.LF
-         & "CPCO" & ASCII.LF & "RGST" & ASCII.LF & "MSSG:hello" & ASCII.LF
-         & "CCLS" & ASCII.LF & "RSOW" & ASCII.LF & "CASA" & ASCII.LF
-         & "RCLS" & ASCII.LF & "RPIN" & ASCII.LF);
-      for Label of Words ("AACK ACER RBLV ANAK RCST AACK AACK ANAK AACK ANAK")
-      loop
-         Check_Label (R.Monitor.Next, Label, "an answer");
-      end loop;
-      R.Monitor.Expect_Silence ("AACK ANAK ACER ATIM", 0.3);
-   end Answers_In_Order;
-
-   procedure Answers_Held_Apart is
+   procedure Answers_Held_Apart (R : in out Rig) is
       --  Rule 7: unsolicited messages are held back while a command waits for
       --  its answer, 950 ms at most.
       In_Flight : constant Duration := 0.01;
       --  message in transit when the command came
       Trials    : constant := 25;
 
-      R    : Rig;
-      Item : Message;
+      Item    : Message;
+      Start   : Instant;
+      Between : Natural := 0;
+      Waits   : Samples.Set;
 
       procedure Take_Next is
          --  Other messages, but no answer other than AACK
@@ -90,41 +65,15 @@ procedure Monitor_Tests is
                 "RPIN was answered " & Item.Label);
       end Take_Next;
 
-      procedure Measure_Answers is
-         Start   : Instant;
-         Between : Natural := 0;
-      begin
-         for Trial in 1 .. Trials loop
-            R.Monitor.Skip_To_Now;
-            Start := Now;
-            R.Monitor.Send_Line ("RPIN");
-            loop
-               Take_Next;
-               exit when Item.Label = "AACK";
-               if Item.Time - Start > In_Flight then
-                  Between := Between + 1;
-               end if;
-            end loop;
-            delay 0.037;
-         end loop;
-         Note (Between'Image & " of" & Trials'Image
-               & " answers had a message before them");
-         Check_In_Time (Between <= Trials / 8,
-                        Between'Image & " unasked messages before an answer");
-      end Measure_Answers;
-
       function Longest_Wait return Duration is
          --  Commands of 60 ms each, for 2 s and more: images are still sent in
          --  between
          Count   : constant := 35;
          Longest : Duration := 0.0;
-         Last    : Instant;
+         Last    : Instant := Now;
       begin
          R.Monitor.Skip_To_Now;
-         Last := Now;
-         for Number in 1 .. Count loop
-            R.Monitor.Send_Line ("RPIN");
-         end loop;
+         R.Monitor.Send (Count * ("RPIN" & ASCII.LF));
          for Number in 1 .. Count loop
             loop
                Take_Next;
@@ -138,14 +87,24 @@ procedure Monitor_Tests is
          return Duration'Max (Longest, Now - Last);
       end Longest_Wait;
 
-      Waits : Samples.Set;
-
    begin
-      Assemble (R, Camera => True);
-      R.Monitor.Expect ("ROPN", "AACK");
-      Open_Camera (R, Positions => True);
-      R.Emulator.Tell ("delay 60");
-      Measure_Answers;
+      for Trial in 1 .. Trials loop
+         R.Monitor.Skip_To_Now;
+         Start := Now;
+         R.Monitor.Send_Line ("RPIN");
+         loop
+            Take_Next;
+            exit when Item.Label = "AACK";
+            if Item.Time - Start > In_Flight then
+               Between := Between + 1;
+            end if;
+         end loop;
+         delay 0.037;
+      end loop;
+      Note (Between'Image & " of" & Trials'Image
+            & " answers had a message before them");
+      Check_In_Time (Between <= Trials / 8,
+                     Between'Image & " unasked messages before an answer");
       for Turn in 1 .. 3 loop
          Waits.Add (Longest_Wait);
          Note ("longest wait for an image " & Milliseconds (Waits.Last));
@@ -154,56 +113,7 @@ procedure Monitor_Tests is
       Check (Waits.Quantile (0.5) > 0.9, "images not held back");
    end Answers_Held_Apart;
 
-   procedure Messages_Kept_Apart is
-      --  The existing monitor takes all that one recv returns as one message.
-      --  A few short gaps are tolerated: a delayed reader shortens the next
-      --  one
-      Unasked_Gap : constant Duration := 0.018;
-      Answer_Gap  : constant Duration := 0.003;
-      --  20 and 4 ms, less the variation on the way to the reader
-
-      R : Rig;
-
-      function Is_Unasked (Item : Message) return Boolean is
-        (Item.Label in "CIMG" | "CPOS" | "RBLV");
-      Close    : Natural := 0;
-      Unasked  : Natural := 0;
-      Item     : Message;
-      Previous : Message;
-   begin
-      Assemble (R, Camera => True);
-      Start_Robot (R);
-      Open_Camera (R, Positions => True);
-      R.Monitor.Skip_To_Now;
-      for Number in 1 .. 40 loop
-         R.Monitor.Send_Line ((if Number mod 2 = 0 then "RMOV:1" else "RGST"));
-         delay 0.11;
-      end loop;
-      loop
-         Item := R.Monitor.Next (Within => 0.0);
-         exit when Item.Number = 0;
-         if Is_Unasked (Item) then
-            Unasked := Unasked + 1;
-         end if;
-         if Previous.Number > 0 and then
-             ((Is_Unasked (Item)
-               and then Item.Time - Previous.Time < Unasked_Gap)
-              or else
-                (not Is_Unasked (Item) and then Is_Unasked (Previous)
-                 and then Item.Time - Previous.Time < Answer_Gap))
-         then
-            Close := Close + 1;
-         end if;
-         Previous := Item;
-      end loop;
-      Note (Close'Image & " of" & Unasked'Image
-            & " unasked messages were close to another");
-      Check_In_Time
-        (Unasked > 60, "only" & Unasked'Image & " unasked messages");
-      Check_In_Time (Close <= Unasked / 25, Close'Image & " messages close");
-   end Messages_Kept_Apart;
-
-   procedure Late_Reader is
+   procedure Late_Reader (R : in out Rig) is
       --  Like the existing monitor on a busy machine: one recv per turn, and
       --  its result is one message. 5 to 15 ms of delay for each message; or,
       --  with commands in between, the same time after each message: a delay
@@ -214,15 +124,14 @@ procedure Monitor_Tests is
       In_Flight  : constant Duration := 0.03;
       --  in transit to the reader when the command was sent
       Hold_Limit : constant Duration := 0.95;
-      R          : Rig;
 
-      procedure Open_Slowly (Taking : Positive) is
+      procedure Open_Slowly (Taking : String) is
          --  Time that a camera takes to open, ms
          Start   : Instant;
          Item    : Message;
          Between : Natural := 0;
       begin
-         R.Emulator.Tell ("camera opening" & Taking'Image);
+         R.Emulator.Tell ("camera opening " & Taking);
          R.Monitor.Skip_To_Now;
          Start := Now;
          R.Monitor.Send_Line ("COPN");
@@ -237,8 +146,7 @@ procedure Monitor_Tests is
          Note ("camera open after " & Milliseconds (Item.Time - Start));
          Check_In_Time (Between = 0 or else Item.Time - Start > Hold_Limit,
                         Between'Image & " levels before the camera's answer");
-         R.Monitor.Expect ("CCLS", "AACK");
-         delay 0.1;
+         Play (R, "CCLS AACK, wait 0.1");
          --  commands in a row, without such a gap between them, hold a level
          --  back together
       end Open_Slowly;
@@ -290,27 +198,21 @@ procedure Monitor_Tests is
       end Measure;
 
    begin
-      Assemble (R, Camera => True);
-      Start_Robot (R);
       R.Monitor.Be_Late (Least, Most, To_Each => True);
-      for Taking of Natural_Array'(300, 500, 700, 900) loop
+      for Taking of Words ("300 500 700 900") loop
          Open_Slowly (Taking);
       end loop;
-      R.Emulator.Tell ("camera opening 0");
-      Open_Camera (R, Positions => True);
+      Play (R, "tell camera opening 0, " & With_Positions);
       for With_Commands in Boolean loop
          R.Monitor.Be_Late (Least, Most, To_Each => not With_Commands);
          Measure (With_Commands);
       end loop;
    end Late_Reader;
 
-   procedure No_Gap_On_Request is
-      R     : Rig;
+   procedure No_Gap_On_Request (R : in out Rig) is
       Image : Message;
       Gaps  : Samples.Set;
    begin
-      Assemble (R, Camera => True, Supervisor_Options => "--message-gap 0");
-      Open_Camera (R, Positions => True);
       R.Monitor.Skip_To_Now;
       for Number in 1 .. 15 loop
          Image := R.Monitor.Next_Of ("CIMG");
@@ -319,35 +221,26 @@ procedure Monitor_Tests is
       Check_Within (Gaps.Quantile (0.5), 0.003, "the median gap");
    end No_Gap_On_Request;
 
-   procedure Slow_Monitor is
+   procedure Slow_Monitor (R : in out Rig) is
       Buffers : constant := 20;
       --  images
-      R     : Rig;
       Item  : Message;
       Old   : Natural := 0;
       Found : Boolean;
       X, Y  : Float;
       Truth : Emulators.Truth;
    begin
-      Assemble (R, Camera => True, Connected => False);
       R.Monitor.Connect (R.Supervisor.Port, Receive_Buffer => 16_384);
-      R.Monitor.Keep_Images (100);
-      R.Emulator.Tell ("pose 20 30 0");
-      Open_Camera (R);
 
       --  Nothing is read for 3.5 s, that is 35 images; then at most the two
       --  buffers are in transit, no backlog: soon the robot is shown where it
       --  has been for a second
-      R.Monitor.Pause;
-      R.Monitor.Send_Line ("what");
-      delay 2.5;
-      R.Emulator.Tell ("pose 60 30 0");
-      delay 1.0;
+      Play (R, "tell pose 20 30 0, " & With_Images & ", pause, send what,"
+            & " wait 2.5, tell pose 60 30 0, wait 1");
       Truth := R.Emulator.Pose;
       R.Monitor.Skip_To_Now;
       R.Monitor.Resume;
-      Item := R.Monitor.Next_Answer;
-      Check (Item.Label = "ACER", "the answer was lost");
+      Play (R, "answer ACER");
       loop
          Item := R.Monitor.Next_Of ("CIMG");
          Images.Find_Marker (R.Monitor.Image (Item.Number), Found, X, Y);
@@ -361,74 +254,43 @@ procedure Monitor_Tests is
       --  Slow, about a third of the rate of the images: answers come, in their
       --  order
       R.Monitor.Limit_Reading (100_000);
-      R.Monitor.Await ("CIMG", Count => 3);
-      for Number in 1 .. 3 loop
-         R.Monitor.Expect ("what", "ACER");
-         R.Monitor.Await ("CIMG");
-      end loop;
+      Play (R, "comes CIMG, comes CIMG, what ACER, comes CIMG", Times => 3);
       R.Monitor.Limit_Reading (0);
       R.Monitor.Expect ("CCLS", "AACK");
       Check (R.Monitor.Broken_Images = 0, "a broken image");
    end Slow_Monitor;
 
-   procedure Lost_With_Orders is
+   procedure Lost_With_Orders (R : in out Rig) is
       --  They do not follow the stop
-      R : Rig;
+      Wire : constant String := R.Emulator.Wire_Text;
+      Stop : constant Natural := Index (Wire, "M=0 ");
+      Next : constant Natural := Index (Wire, "M=32767 ");
    begin
-      Assemble (R);
-      Play (R, Forward & ", tell delay 50");
-      for Number in 1 .. 50 loop
-         R.Monitor.Send_Line ("RMOV:500");
-      end loop;
-      Play (R, "seen M=500, reset, " & Lost_And_Back);
-      declare
-         Wire : constant String := R.Emulator.Wire_Text;
-         Stop : constant Natural := Index (Wire, "M=0 ");
-         Next : constant Natural := Index (Wire, "M=32767 ");
-      begin
-         Check (Next > Stop and then Index (Wire (Stop .. Next), "M=500") = 0,
-                "an order after the stop: " & Wire);
-      end;
+      Check (Next > Stop and then Index (Wire (Stop .. Next), "M=500") = 0,
+             "an order after the stop: " & Wire);
    end Lost_With_Orders;
 
-   procedure Telnet_Commands is
-      --  Those of a Ctrl-C before a stop must not make it unknown; here also
-      --  before the first line of all
-      Ctrl_C : constant String :=
-        Character'Val (16#FF#) & Character'Val (16#F4#)
-        & Character'Val (16#FF#) & Character'Val (16#FD#) & ASCII.ACK;
-      R      : Rig;
+   Ctrl_C : constant String :=
+     Character'Val (16#FF#) & Character'Val (16#F4#)
+     & Character'Val (16#FF#) & Character'Val (16#FD#) & ASCII.ACK;
+   --  As telnet sends it
+
+   procedure Telnet_Synch (R : in out Rig) is
+      --  Its last byte is urgent
    begin
-      Assemble (R);
-      R.Monitor.Send (Ctrl_C);
-      Move_Forward (R);
-      R.Monitor.Send (Ctrl_C);
-      R.Monitor.Expect ("RSTP", "AACK");
-      R.Emulator.Await_Status ("moving", "0");
-      --  a synch: its last byte is urgent
       R.Monitor.Send ((1 => Character'Val (16#FF#)));
       R.Monitor.Send_Urgent (Character'Val (16#F2#));
-      R.Monitor.Expect ("RSTP", "AACK");
-      R.Monitor.Send_Line ("RPIN" & Ctrl_C);
-      Check_Label (R.Monitor.Next_Answer, "AACK", "a command before it");
-      R.Monitor.Send_Line ("RG" & Ctrl_C & "FW");
-      Check_Label (R.Monitor.Next_Answer, "ACER", "a command around it");
-   end Telnet_Commands;
+      Play (R, "RSTP AACK, send RPIN" & Ctrl_C & ", answer AACK, send RG"
+            & Ctrl_C & "FW, answer ACER");
+   end Telnet_Synch;
 
-   procedure Lost_With_Everything_On is
+   procedure Lost_With_Everything_On (R : in out Rig) is
       --  F6: exactly as at start-up: no arena, no positions, no images
-      R    : Rig;
-      Mark : Natural;
+      Mark : constant Natural := R.Monitor.Count;
    begin
-      Assemble (R, Camera => True);
-      Play (R, "ROPN AACK, RSWW AACK, " & With_Positions & ", CASA CIMG,"
-            & " send CACO, comes CPOS, RGLF AACK, clear, reset, stops,"
-            & " log monitor lost, over, status viewers 0, connect, initial");
-      R.Emulator.Clear_Journal;
-      Mark := R.Monitor.Count;
-      Open_Camera (R);
+      Play (R, With_Images);
       R.Monitor.Await ("CIMG", Count => 5);
-      Check (Images.Seen (R.Monitor.Last_Image).Coloured < Images.Drawn,
+      Check (Images.Seen (R.Monitor.Image).Coloured < Images.Drawn,
              "something is drawn in the new session's images");
       for Number in Mark + 1 .. R.Monitor.Count loop
          Check (R.Monitor.Element (Number).Label not in "CPOS" | "RBLV",
@@ -454,30 +316,20 @@ procedure Monitor_Tests is
         and then not R.Supervisor.Says ("monitor lost")
         and then Now < Ends
       loop
-         R.Monitor.Send_Line ("MSSG:still here");
-         delay 0.1;
+         Play (R, "send MSSG:still here, wait 0.1");
       end loop;
-      R.Supervisor.Expect_Log ("monitor lost");
-      Check
-        (not R.Supervisor.Says ("it has taken nothing"), "taken for stalled");
+      Play (R, "said monitor lost, unsaid it has taken nothing");
       Check_Within
         (R.Supervisor.Time_Of ("monitor lost") - Since, Vanish_Limit,
          "finding the loss");
    end Expect_Vanished;
-
-   procedure Expect_New_Session (R : in out Rig) is
-      --  Of the next monitor, without a message from the one before
-   begin
-      R.Supervisor.Expect_Log ("session closed");
-      Connect (R);
-      Expect_Initial_State (R);
-   end Expect_New_Session;
 
    procedure Expect_Stop_After_Loss (R : in out Rig) is
       Stop : constant Emulators.Note := R.Emulator.Await_On_Wire ("M=0");
    begin
       Check_Within (Stop.First - R.Supervisor.Time_Of ("monitor lost"),
                     0.5, "the stop");
+      Play (R, Renewed);
    end Expect_Stop_After_Loss;
 
    procedure Add_Cut
@@ -496,18 +348,13 @@ procedure Monitor_Tests is
          Link.Make;
          Assemble (R, Camera => Streaming, Bind => "0.0.0.0",
                    Launcher => (if Short then Short_Info else ""));
-         R.Monitor.Connect (R.Supervisor.Port, Network_Links.Supervisor_Side,
-                            Namespace => Link.Namespace);
-         if Streaming then
-            Open_Camera (R);
-         end if;
-         Move_Forward (R);
-         delay 1.0;
+         R.Monitor.Connect (R.Supervisor.Port, By_Link => True);
+         Play (R, (if Streaming then With_Images & ", " else "")
+               & Forward & ", wait 1");
          Time := Now;
-         Link.Cut (How);
+         Network_Links.Cut (How);
          Expect_Vanished (R, Time, Talking);
          Expect_Stop_After_Loss (R);
-         Expect_New_Session (R);
       end Run;
 
    begin
@@ -515,21 +362,14 @@ procedure Monitor_Tests is
    end Add_Cut;
 
    procedure Present_With_Short_Info is
-      --  Idle, then with images, for longer than a vanished one has; then
-      --  it leaves
+      --  Idle, then with images, for longer than a vanished one has; then it
+      --  leaves: closed, or reset if an image was in transit
       R : Rig;
    begin
       Assemble (R, Camera => True, Launcher => Short_Info);
-      R.Supervisor.Expect_Log ("no TCP_INFO");
-      delay 5.5;
-      Open_Camera (R);
-      delay 5.5;
-      R.Monitor.Expect ("what", "ACER");
-      Check (not R.Supervisor.Says ("monitor lost"), "present, yet lost");
-      R.Monitor.Close;
-      --  closed, or reset if an image was in transit
-      R.Supervisor.Expect_Log ("monitor lost: connection");
-      Expect_New_Session (R);
+      Play (R, "said no TCP_INFO, wait 5.5, " & With_Images & ", wait 5.5,"
+            & " what ACER, unsaid monitor lost, close,"
+            & " log monitor lost: connection, " & Renewed);
    end Present_With_Short_Info;
 
    procedure Vanished_Before_A_Message is
@@ -542,45 +382,45 @@ procedure Monitor_Tests is
       Link.Make;
       Assemble (R, Camera => True, Bind => "0.0.0.0",
                 Supervisor_Options => "--log-level debug");
-      R.Emulator.Tell ("camera opening 3000");
-      R.Monitor.Connect (R.Supervisor.Port, Network_Links.Supervisor_Side,
-                         Namespace => Link.Namespace);
-      R.Monitor.Send_Line ("COPN");
-      R.Supervisor.Expect_Log ("received COPN");
+      R.Monitor.Connect (R.Supervisor.Port, By_Link => True);
+      Play (R, "tell camera opening 3000, send COPN, log received COPN");
       Time := Now;
-      Link.Cut;
+      Network_Links.Cut;
       Expect_Vanished (R, Time);
-      Expect_New_Session (R);
+      Play (R, Renewed);
    end Vanished_Before_A_Message;
 
    Silence_Limit : constant Duration := 1.0;
    --  From the last sign of life to the stop
+
+   Is_Silent : constant String :=
+     "monitor lost: its program has been silent for longer";
+
+   procedure Need_Tcp_Info (R : Rig) is
+   begin
+      if R.Supervisor.Says ("no TCP_INFO") then
+         Skip ("this kernel does not tell when data came");
+      end if;
+   end Need_Tcp_Info;
 
    procedure Announced_And_Silent is
       --  A monitor that says nothing, and one that has announced signs of life
       Plain     : Rig;
       Announced : Rig;
       Last      : Instant;
-      Stop      : Emulators.Note;
    begin
       Assemble (Plain);
-      Move_Forward (Plain);
+      Play (Plain, Forward);
       Assemble (Announced);
-      if Announced.Supervisor.Says ("no TCP_INFO") then
-         Skip ("this kernel does not tell when data came");
-      end if;
-      Move_Forward (Announced);
+      Need_Tcp_Info (Announced);
+      Play (Announced, Forward);
       Last := Now;
       Announced.Monitor.Send_Line ("LIVE");
-      Stop := Announced.Emulator.Await_On_Wire ("M=0");
-      Check_Within (Stop.First - Last, Silence_Limit, "the stop");
-      Announced.Supervisor.Expect_Log
-        ("monitor lost: its program has been silent for longer");
-      Expect_New_Session (Announced);
-
+      Check_Within (Announced.Emulator.Await_On_Wire ("M=0").First - Last,
+                    Silence_Limit, "the stop");
       --  what one has announced, another does not owe
-      Announced.Monitor.Expect ("RPIN", "ANAK");
-      delay 2.0;
+      Play (Announced, "said " & Is_Silent & ", " & Renewed
+            & ", RPIN ANAK, wait 2");
       Check (Announced.Supervisor.Count_Of ("monitor lost") = 1,
              "the next monitor was given up");
       Check (not Plain.Supervisor.Says ("monitor lost")
@@ -588,46 +428,28 @@ procedure Monitor_Tests is
              "a monitor that has announced nothing was given up");
    end Announced_And_Silent;
 
-   procedure Silent_For_Too_Long is
+   procedure Silent_For_Too_Long (R : in out Rig) is
       --  It announces nothing, but the supervisor is told what to allow
-      R    : Rig;
       Last : Instant;
-      Stop : Emulators.Note;
    begin
-      Assemble (R, Supervisor_Options => "--monitor-silence 2");
-      if R.Supervisor.Says ("no TCP_INFO") then
-         Skip ("this kernel does not tell when data came");
-      end if;
-      Move_Forward (R);
-      for I in 1 .. 4 loop
-         delay 1.0;
-         R.Monitor.Expect ("what", "ACER");
-      end loop;
+      Need_Tcp_Info (R);
+      Play (R, Forward);
+      Play (R, "wait 1, what ACER", Times => 4);
       Last := Now;
       Check
         (R.Emulator.Status ("moving") = "1", "one that speaks is given up");
-      Stop := R.Emulator.Await_On_Wire ("M=0");
-      Check (Stop.First - Last >= 1.9, "too soon");
-      R.Supervisor.Expect_Log
-        ("monitor lost: its program has been silent for longer");
-      Expect_New_Session (R);
+      Check (R.Emulator.Await_On_Wire ("M=0").First - Last >= 1.9, "too soon");
+      Play (R, "said " & Is_Silent & ", " & Renewed);
    end Silent_For_Too_Long;
 
    procedure Start_Console (R : in out Rig; Tool : in out Child) is
       --  The project's own monitor, which drives
    begin
       Assemble (R, Connected => False);
-      if R.Supervisor.Says ("no TCP_INFO") then
-         Skip ("this kernel does not tell when data came");
-      end if;
-      Tool.Start
-        (Programs.Monitor,
-         Words ("--script - --port" & Positive'Image (R.Supervisor.Port)),
-         "console monitor");
-      for Line of Words ("ROPN RSOW RGFW") loop
-         Tool.Put_Line (Line);
-      end loop;
-      R.Emulator.Await_Status ("moving", "1");
+      Need_Tcp_Info (R);
+      Supervisors.Start_Monitor
+        (Tool, R.Supervisor.Port, "ROPN|RSOW|RGFW");
+      Play (R, "status moving 1");
    end Start_Console;
 
    procedure Console_Frozen is
@@ -638,10 +460,9 @@ procedure Monitor_Tests is
       Start_Console (R, Tool);
       Time := Now;
       Tool.Send_Signal (Libc.Sigstop);
-      R.Emulator.Await_Status ("moving", "0");
+      Play (R, "status moving 0");
       Check_Within (Now - Time, Silence_Limit, "the stop");
-      R.Supervisor.Expect_Log ("monitor lost: its program has been silent");
-      Expect_New_Session (R);
+      Play (R, "said " & Is_Silent & ", " & Renewed);
    end Console_Frozen;
 
    procedure Announced_In_Time is
@@ -654,13 +475,9 @@ procedure Monitor_Tests is
       Console_Frozen;
       Start_Console (Console, Tool);
       Assemble (R);
-      Move_Forward (R);
-      for Number in 1 .. 4 loop
-         for Line of Words ("LIVE MSSG:here RGST") loop
-            R.Monitor.Send_Line (Line);
-            delay 0.5;
-         end loop;
-      end loop;
+      Play (R, Forward);
+      Play (R, "send LIVE, wait 0.5, send MSSG:here, wait 0.5, send RGST,"
+            & " wait 0.5", Times => 4);
       Check_In_Time (not R.Supervisor.Says ("monitor lost")
                      and then not Console.Supervisor.Says ("monitor lost"),
                      "a living monitor was given up");
@@ -674,159 +491,140 @@ procedure Monitor_Tests is
    begin
       Assemble (Patient, Camera => True);
       Assemble (Dead, Camera => True);
-      Open_Camera (Patient);
-      Open_Camera (Dead);
-      Move_Forward (Dead);
+      Play (Patient, With_Images);
+      Play (Dead, With_Images & ", " & Forward);
       Patient.Monitor.Pause;
       Dead.Monitor.Pause;
       Time := Now;
       delay 10.0;
-      Check (not Patient.Supervisor.Says ("monitor lost")
-             and then not Dead.Supervisor.Says ("monitor lost"),
-             "a monitor that reads nothing for 10 s counts as lost");
+      Play (Dead, "unsaid monitor lost");
+      Play (Patient, "unsaid monitor lost");
       Patient.Monitor.Resume;
-      Patient.Monitor.Expect ("what", "ACER");
-      Dead.Supervisor.Expect_Log ("monitor lost");
+      Play (Patient, "what ACER");
+      Play (Dead, "said monitor lost");
       Lost := Dead.Supervisor.Time_Of ("monitor lost") - Time;
       Note ("lost after " & Milliseconds (Lost));
       Check_In_Time (Lost > 14.0 and then Lost < 18.0,
                      "15 s without reading were " & Milliseconds (Lost));
       Expect_Stop_After_Loss (Dead);
-      Expect_New_Session (Dead);
-      Check (not Patient.Supervisor.Says ("monitor lost"),
-             "the patient monitor was given up");
-      Patient.Monitor.Expect ("CCLS", "AACK");
+      Play (Patient, "unsaid monitor lost, CCLS AACK");
    end Stalled;
 
-   procedure None_Is_Forgotten is
+   procedure None_Is_Forgotten (R : in out Rig) is
       --  Of those who come while a session is being ended one is in command
       --  then; the others, also those for whom there was no place, are told
-      R        : Rig;
       Crowd    : array (1 .. 20) of Client;
       Admitted : Natural := 0;
    begin
-      Assemble (R);
-      Start_Robot (R);
-      R.Emulator.Tell ("silent on");
-      --  so its end takes a while
-      R.Monitor.Close;
       for Visitor of Crowd loop
          Visitor.Connect (R.Supervisor.Port);
          Visitor.Send_Line ("RPIN");
       end loop;
       for Visitor of Crowd loop
-         if Visitor.Next.Label = "ANAK" then
-            Admitted := Admitted + 1;
-         end if;
+         Admitted := Admitted + Boolean'Pos (Visitor.Next.Label = "ANAK");
       end loop;
       Check (Admitted = 1, Admitted'Image & " admitted");
    end None_Is_Forgotten;
 
-   procedure Second_Is_Refused is
-      R      : Rig;
+   procedure Second_Is_Refused (R : in out Rig) is
+      Crowd  : array (1 .. 12) of Client;
       Second : Client;
-      Item   : Message;
+      Unused : Boolean;
    begin
-      Assemble (R);
-      Start_Robot (R);
-      for Attempt in 1 .. 5 loop
-         Second.Connect (R.Supervisor.Port);
-         Item := Second.Next;
-         Check (Item.Label = "MSSG" and then Length (Item.Data) > 0,
-                "the second monitor is told " & Item.Label);
-         Check (Second.Closed_By_Peer /= Open,
-                "the second monitor is not closed");
-         Second.Close;
-         R.Monitor.Expect ("RPIN", "AACK");
+      for Visitor of Crowd loop
+         Visitor.Connect (R.Supervisor.Port);
+      end loop;
+      R.Monitor.Expect ("RPIN", "AACK");
+      for Visitor of Crowd loop
+         Check (Visitor.Closed_By_Peer /= Open
+                and then Visitor.Count = 1
+                and then Visitor.Element (1).Label = "MSSG"
+                and then Length (Visitor.Element (1).Data) > 0,
+                "one of many is not told and closed");
       end loop;
 
-      --  Many at once
-      declare
-         Crowd : array (1 .. 12) of Client;
-      begin
-         for Visitor of Crowd loop
-            Visitor.Connect (R.Supervisor.Port);
-         end loop;
-         R.Monitor.Expect ("RPIN", "AACK");
-         for Visitor of Crowd loop
-            Check (Visitor.Closed_By_Peer /= Open
-                   and then Visitor.Count_Of ("MSSG") = 1,
-                   "one of many is not told and closed");
-         end loop;
-      end;
-
       --  One that sends commands at once is not in command
-      R.Emulator.Clear_Journal;
-      Second.Connect (R.Supervisor.Port);
-      if Second.Try_Send ("RGFW" & ASCII.LF) then
-         null;  --  it may have been closed before
-      end if;
-      Check (Second.Closed_By_Peer /= Open
-             and then Second.Count = Second.Count_Of ("MSSG"),
-             "the second monitor is answered");
-      R.Monitor.Expect ("RGST", "RCST:0");
-      Check (R.Emulator.Wire_Text = "",
-             "the second monitor commands the robot");
+      for Attempt in 1 .. 5 loop
+         R.Emulator.Clear_Journal;
+         Second.Connect (R.Supervisor.Port);
+         Unused := Second.Try_Send ("RGFW" & ASCII.LF);
+         --  it may have been closed before
+         Check (Second.Closed_By_Peer /= Open
+                and then Second.Count = Second.Count_Of ("MSSG"),
+                "the second monitor is answered");
+         Play (R, "RGST RCST:0, wire");
+      end loop;
    end Second_Is_Refused;
 
-   procedure Lines_In_Pieces is
+   procedure Lines_In_Pieces (R : in out Rig) is
       --  TCP is a stream: a command may arrive byte by byte
-      R    : Rig;
-      Text : constant String := "ROPN" & ASCII.LF & "RSOW" & ASCII.LF
-        & "RTRN:-12" & ASCII.CR & ASCII.LF & "what" & ASCII.LF;
    begin
-      Assemble (R);
-      for Piece of Text loop
+      for Piece of String'("ROPN" & ASCII.LF & "RSOW" & ASCII.LF & "RTRN:-12"
+                           & ASCII.CR & ASCII.LF & "what" & ASCII.LF)
+      loop
          R.Monitor.Send ((1 => Piece));
          delay 0.005;
       end loop;
-      for Number in 1 .. 3 loop
-         Check_Label (R.Monitor.Next_Answer, "AACK", "an answer");
-      end loop;
-      Check (R.Monitor.Next_Answer.Label = "ACER", "no ACER");
-      Check (R.Emulator.Count_Of ("T=-12") = 1, "no T=-12 on the wire");
+      Play (R, "answer AACK AACK AACK ACER, sent T=-12 1");
    end Lines_In_Pieces;
 
 begin
-   Add ("F03_Rule_1_Answers_In_Order", Answers_In_Order'Access);
-   Add ("F03_Lines_In_Pieces", Lines_In_Pieces'Access);
+   Script ("F03_Rule_1_Answers_In_Order",
+           "ROPN AACK, tell delay 45, send RPIN|what|RGBT|CPCO|RGST|MSSG:hello"
+           & "|CCLS|RSOW|CASA|RCLS|RPIN, answer AACK ACER RBLV ANAK RCST AACK"
+           & " AACK ANAK AACK ANAK, silence 0.3 AACK ANAK ACER ATIM");
+   --  Quick answers wait for the slow ones before them
+   Script ("F03_Lines_In_Pieces", "", Lines_In_Pieces'Access);
    Script ("F03_Line_Ends_Tolerated",
            "ROPN" & ASCII.CR & " AACK, RSOW" & ASCII.CR & " AACK, RMOV:5"
            & ASCII.CR & " AACK, RPIN: AACK, RPIN:" & ASCII.CR
            & " AACK, sent M=5 1");
    --  The existing monitor appends a separator to every label
-   Add ("F03_Telnet_Commands_Skipped", Telnet_Commands'Access);
+   Script ("F03_Telnet_Commands_Skipped",
+           "part " & Ctrl_C & ", " & Forward & ", part " & Ctrl_C
+           & ", RSTP AACK, status moving 0", Telnet_Synch'Access);
+   --  Those of a Ctrl-C before a stop must not make it unknown; here also
+   --  before the first line of all
    Script ("F03_Log_Message_Unanswered",
-           "send MSSG:the user says hello, send MSSG, send CACO, send CAIN,"
+           "send MSSG:the user says hello|MSSG|CACO|CAIN,"
            & " silence 0.3 AACK ANAK ACRJ ATIM, RPIN ANAK");
-   Add ("F04_Answers_Are_Prompt", Answers_Are_Prompt'Access, Timed => True);
-   Add ("F04_Messages_Kept_Apart", Messages_Kept_Apart'Access, Timed => True);
-   Add ("F04_Reader_As_The_Existing_Monitor",
-        Late_Reader'Access, Timed => True);
-   Add ("F04_No_Gap_On_Request", No_Gap_On_Request'Access, Timed => True);
-   Add ("F04_Rule_7_Answers_Held_Apart",
-        Answers_Held_Apart'Access, Timed => True);
-   Add ("F04_F15_Slow_Monitor", Slow_Monitor'Access);
+   Script ("F04_Answers_Are_Prompt", With_Positions, Answers_Are_Prompt'Access,
+           Camera => True, Timed => True);
+   Script ("F04_Reader_As_The_Existing_Monitor", Started, Late_Reader'Access,
+           Camera => True, Timed => True);
+   Script ("F04_No_Gap_On_Request", With_Positions, No_Gap_On_Request'Access,
+           Camera => True, Supervisor_Options => "--message-gap 0",
+           Timed => True);
+   Script ("F04_Rule_7_Answers_Held_Apart",
+           "ROPN AACK, " & With_Positions & ", tell delay 60",
+           Answers_Held_Apart'Access, Camera => True, Timed => True);
+   Script ("F04_F15_Slow_Monitor", "", Slow_Monitor'Access, Camera => True,
+           Connected => False);
    Script ("F05_F06_Monitor_Lost_Orderly",
-           Forward & ", close, " & Lost_And_Back, In_Time => True);
+           Forward & ", close" & Lost_And_Back, In_Time => True);
    Script ("F05_F06_Monitor_Lost_By_Reset",
-           Forward & ", reset, " & Lost_And_Back, In_Time => True);
+           Forward & ", reset" & Lost_And_Back, In_Time => True);
    Script ("F05_F06_Monitor_Lost_By_Half_Close",
-           Forward & ", half-close, closed, " & Lost_And_Back,
+           Forward & ", half-close, closed" & Lost_And_Back,
            In_Time => True);
    --  one that has stopped sending is not in command
    Script ("F05_F06_Monitor_Lost_With_Half_A_Line",
-           Forward & ", part RGB, close, " & Lost_And_Back
+           Forward & ", part RGB, close" & Lost_And_Back
            & ", part RMOV:12, close, over, connect, RPIN ANAK",
            In_Time => True);
    --  it is not the beginning of the next monitor's first
-   Add ("F06_Monitor_Lost_With_Orders_Waiting",
-        Lost_With_Orders'Access, In_Time => True);
+   Script ("F06_Monitor_Lost_With_Orders_Waiting",
+           Forward & ", tell delay 50, send " & 49 * "RMOV:500|"
+           & "RMOV:500, seen M=500, reset" & Lost_And_Back,
+           Lost_With_Orders'Access, In_Time => True);
    Script ("F06_Monitor_Lost_While_Robot_Is_Silent",
-           Forward & ", tell silent on, close, " & Lost_And_Back,
+           Forward & ", tell silent on, close" & Lost_And_Back,
            In_Time => True);
-   Add ("F06_Monitor_Lost_With_Everything_On",
-        Lost_With_Everything_On'Access, In_Time => True);
+   Script ("F06_Monitor_Lost_With_Everything_On",
+           Guarded & ", " & With_Positions & ", CASA CIMG, send CACO,"
+           & " comes CPOS, RGLF AACK, clear, reset, stops, log monitor lost,"
+           & " over, status viewers 0, connect, " & Initial & ", clear",
+           Lost_With_Everything_On'Access, Camera => True, In_Time => True);
    Add_Cut ("F05_Monitor_Vanished_While_Idle");
    Add_Cut ("F05_Monitor_Vanished_While_Streaming", Streaming => True);
    Add ("F05_Monitor_Present_Without_Tcp_Info",
@@ -849,9 +647,14 @@ begin
             How => Network_Links.Dropped_Here, Talking => True);
    Add ("F05_Monitor_Stalled", Stalled'Access, Timed => True);
    Add ("Never_Moves_On_For_A_Silent_Monitor", Announced_And_Silent'Access);
-   Add ("Never_Moves_On_Beyond_Monitor_Silence", Silent_For_Too_Long'Access);
+   Script ("Never_Moves_On_Beyond_Monitor_Silence", "",
+           Silent_For_Too_Long'Access,
+           Supervisor_Options => "--monitor-silence 2");
    Add ("Never_Moves_On_For_A_Frozen_Console", Console_Frozen'Access);
    Add ("Never_Moves_On_For_Long", Announced_In_Time'Access, Timed => True);
-   Add ("F02_None_Is_Forgotten", None_Is_Forgotten'Access);
-   Add ("F02_Second_Monitor_Is_Refused", Second_Is_Refused'Access);
+   Script ("F02_None_Is_Forgotten", Started & ", tell silent on, close",
+           None_Is_Forgotten'Access);
+   --  The end of the session takes a while
+   Script ("F02_Second_Monitor_Is_Refused", Started,
+           Second_Is_Refused'Access);
 end Monitor_Tests;

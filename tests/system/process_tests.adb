@@ -2,14 +2,12 @@
 --  The supervisor as a process: signals, failures, privileges.
 
 with Ada.Directories;
+with Ada.Exceptions;        use Ada.Exceptions;
 with Ada.Strings.Fixed;     use Ada.Strings.Fixed;
 with Ada.Strings.Maps;
-with Ada.Text_IO;           use Ada.Text_IO;
-with GNAT.OS_Lib;
 with Interfaces.C;          use Interfaces.C;
 
 with Child_Processes;       use Child_Processes;
-with Dialogues;             use Dialogues;
 with Expectations;          use Expectations;
 with Instants;              use Instants;
 with Libc;
@@ -20,7 +18,7 @@ with Process_Facts;
 with Programs;
 with Rigs;                  use Rigs;
 with Scenarios;             use Scenarios;
-with Supervisors;
+with Supervisors;           use Supervisors;
 
 procedure Process_Tests is
 
@@ -29,8 +27,6 @@ procedure Process_Tests is
    Stopped : constant String := ", stops" & Ends & ", closed";
 
    As_User : String renames Programs.As_User;
-
-   type Signals is array (Positive range <>) of int;
 
    procedure Need_Root is
    begin
@@ -47,122 +43,88 @@ procedure Process_Tests is
       end if;
    end Need_Real_Time;
 
-   procedure Need_Tool (Name : String) is
-      use type GNAT.OS_Lib.String_Access;
-      Tool : GNAT.OS_Lib.String_Access :=
-        GNAT.OS_Lib.Locate_Exec_On_Path (Name);
+   procedure Need (Command, Reason : String) is
+      --  Skips the test unless it can be run
    begin
-      if Tool = null then
-         Skip ("there is no " & Name & " here");
+      if Status_Of (Command) /= 0 then
+         Skip (Reason);
       end if;
-      GNAT.OS_Lib.Free (Tool);
-   end Need_Tool;
+   end Need;
 
-   procedure Not_Stopped_By_Hang_Up is
-      --  Where it is ignored; nor by a limit of a file or a terminal, nor by
-      --  the signals that glibc has for itself
-      R : Rig;
+   procedure Expect_Copy
+     (Options : String; Status : Integer; Text, Launcher : String) is
    begin
-      Assemble (R, Launcher => "nohup");
-      R.Monitor.Expect ("ROPN", "AACK");
-      for Signal of Signals'(Libc.Sighup, 13, 21, 22, 25, 32, 33) loop
-         R.Supervisor.Send_Signal (Signal);
-      end loop;
-      R.Monitor.Expect ("RPIN", "AACK");
-      Check (R.Supervisor.Is_Running, "it has ended");
-   end Not_Stopped_By_Hang_Up;
+      Expect_Console (Options, Status, Text, Launcher,
+                      Program => Programs.Copied_Supervisor);
+   end Expect_Copy;
 
    procedure Too_Few_Threads is
       --  The limit of a user without other processes
-      Alone : constant String :=
+      Alone   : constant String :=
         "setpriv --reuid=65533 --regid=65533 --clear-groups --inh-caps=-all"
         & " prlimit --nproc=";
+      Refused : constant String := "fewer threads than it has tasks";
    begin
       Need_Root;
-      for Limit in 1 .. 3 loop
-         Supervisors.Expect_Console
-           ("--port 0", 1, "fewer threads than it has tasks",
-            Launcher => Alone & Image (4 * Limit),
-            Program  => Programs.Copied_Supervisor);
+      for Limit of Words ("4 8 12") loop
+         Expect_Copy ("--port 0", 1, Refused, Alone & Limit);
       end loop;
-      Supervisors.Expect_Console
-        ("--check", 1, "fewer threads than it has tasks",
-         Launcher => Alone & "4", Program => Programs.Copied_Supervisor);
-      Supervisors.Expect_Console
-        ("--version", 0, "destijl ",
-         Launcher => Alone & "1", Program => Programs.Copied_Supervisor);
+      Expect_Copy ("--check", 1, Refused, Alone & "4");
+      Expect_Copy ("--version", 0, "destijl ", Alone & "1");
    end Too_Few_Threads;
 
-   procedure Stopped_At_Once is
-      --  Without a session, and twice
-      R : Rig;
+   procedure Nobody_Listens (R : in out Rig) is
+      Is_Refused : Boolean := False;
    begin
-      Assemble (R, Connected => False);
-      Play (R, "signal 2, signal 15" & Ends);
-      Check (not Connects (R.Supervisor.Port), "somebody still listens");
-   end Stopped_At_Once;
+      begin
+         Connect (R);
+      exception
+         when Failed =>
+            Is_Refused := True;
+      end;
+      Check (Is_Refused, "somebody still listens");
+   end Nobody_Listens;
 
-   procedure Thirteen_Threads is
-
-      --  The report's own, by the names that the kernel shows (15
-      --  characters of each)
-      S : Supervisors.Supervisor;
+   procedure Expect_Deadlines (S : Supervisor; Claim : String) is
+      --  Claimed where all that they need is there
    begin
-      S.Start;
-      for Name of Words
-        ("th_server th_receiveFromMon th_sendToMon th_comMonPerdue"
-         & " th_cameraControl th_captureImg th_arene th_openComRobot"
-         & " th_startRobot th_startRobotWD th_resetRobot th_move"
-         & " th_batteryLevel")
-      loop
-         Check (Process_Facts.Thread_Named (S.Pid, Name) > 0,
-                "no thread " & Name & " among"
-                & Process_Facts.Thread_Names (S.Pid));
-      end loop;
-   end Thirteen_Threads;
+      S.Expect_Log ("deadlines: ");
+      Check (not S.Says ("ceilings act; memory: locked")
+             or else S.Says ("deadlines: as analysed " & Claim),
+             "not what is claimed: " & S.Text);
+   end Expect_Deadlines;
 
    procedure Own_Processor is
       --  --cpu: the real-time tasks there alone, all others elsewhere
-      Wrong : Supervisors.Supervisor;
 
       procedure Expect (Option, Processor : String) is
          R : Rig;
-
-         function Where (Name : String) return String is
-           (Process_Facts.Processors
-              (R.Supervisor.Pid,
-               Process_Facts.Thread_Named (R.Supervisor.Pid, Name)));
       begin
          Assemble (R, Supervisor_Options => Option);
          for Name of Words (Process_Facts.Thread_Names (R.Supervisor.Pid)) loop
-            if Name in "th_captureImg" | "th_arene" | "th_camera"
-                     | "th_console"
-              or else Index (Name, "th_") /= 1
-            then
-               Check (Where (Name) not in "" | Processor
-                      and then Index (Where (Name), Processor) = 0,
-                      Option & ": " & Name & " runs on " & Where (Name));
-            else
-               Check (Where (Name) = Processor,
-                      Option & ": " & Name & " runs on " & Where (Name));
-            end if;
+            declare
+               Where : constant String :=
+                 Process_Facts.Processors (R.Supervisor.Pid, Name);
+            begin
+               Check
+                 ((if Name in "th_captureImg" | "th_arene" | "th_camera"
+                            | "th_console"
+                     or else Index (Name, "th_") /= 1
+                   then Where not in "" | Processor
+                     and then Index (Where, Processor) = 0
+                   else Where = Processor),
+                  Option & ": " & Name & " runs on " & Where);
+            end;
          end loop;
-         R.Supervisor.Expect_Log ("deadlines: ");
-         Check (not R.Supervisor.Says ("ceilings act; memory: locked")
-                or else R.Supervisor.Says
-                  ("deadlines: as analysed with --cpu, on processor "
-                   & Processor),
-                "not what is claimed: " & R.Supervisor.Log_Text);
+         Expect_Deadlines
+           (R.Supervisor, "with --cpu, on processor " & Processor);
          R.Monitor.Expect ("ROPN", "AACK");
       end Expect;
 
       Allowed : constant String :=
         Process_Facts.File_Line ("/proc/self/status", "Cpus_allowed_list");
    begin
-      Wrong.Run ("--port 0 --cpu 1023");
-      Check (Wrong.Exit_Status = 1, "a processor that is not there");
-      Check (Index (Wrong.Log_Text, "no processor 1023") > 0,
-             "no reason: " & Wrong.Log_Text);
+      Expect_Console ("--port 0 --cpu 1023", 1, "no processor 1023");
       if Index (Allowed, Ada.Strings.Maps.To_Set (",-")) = 0 then
          Skip ("there is one processor only");
       end if;
@@ -173,36 +135,21 @@ procedure Process_Tests is
                             Going => Ada.Strings.Backward) .. Allowed'Last));
    end Own_Processor;
 
-   procedure One_Processor is
+   procedure One_Processor (R : in out Rig) is
       --  Nothing to choose from: everything is there, asked or not
-
-      procedure Expect (Option : String) is
-         R : Rig;
-      begin
-         Assemble (R, Supervisor_Options => Option,
-                   Launcher => "taskset --cpu-list 0");
-         if Process_Facts.Processors (R.Supervisor.Pid, R.Supervisor.Pid)
-           /= "0"
-         then
-            Skip ("GNAT's run time, from 14 on, takes all processors");
-         end if;
-         R.Supervisor.Expect_Log ("deadlines: ");
-         Check (not R.Supervisor.Says ("ceilings act; memory: locked")
-                or else R.Supervisor.Says
-                  ("deadlines: as analysed for one processor"),
-                "not what is claimed: " & R.Supervisor.Log_Text);
-         for Name of Words (Process_Facts.Thread_Names (R.Supervisor.Pid)) loop
-            Check
-              (Process_Facts.Processors
-                 (R.Supervisor.Pid,
-                  Process_Facts.Thread_Named (R.Supervisor.Pid, Name)) = "0",
-               Option & ": " & Name & " runs elsewhere");
-         end loop;
-         R.Monitor.Expect ("ROPN", "AACK");
-      end Expect;
+      Pid : constant int := R.Supervisor.Pid;
    begin
-      Expect ("");
-      Expect ("--cpu auto");
+      if Process_Facts.Processors
+           (Pid, Ada.Directories.Simple_Name (Programs.Supervisor)) /= "0"
+      then
+         Skip ("GNAT's run time, from 14 on, takes all processors");
+      end if;
+      Expect_Deadlines (R.Supervisor, "for one processor");
+      for Name of Words (Process_Facts.Thread_Names (Pid)) loop
+         Check (Process_Facts.Processors (Pid, Name) = "0",
+                Name & " runs elsewhere");
+      end loop;
+      R.Monitor.Expect ("ROPN", "AACK");
    end One_Processor;
 
    procedure Failing_Task is
@@ -210,178 +157,125 @@ procedure Process_Tests is
       --  fault is a signal that the run time turns into an exception.
 
       procedure Fail (Name : String) is
-         R      : Rig;
-         Thread : int;
-         Time   : Instant;
-         Status : Integer;
+         R    : Rig;
+         Time : Instant;
       begin
          Assemble (R);
-         Move_Forward (R);
-         Thread := Process_Facts.Thread_Named (R.Supervisor.Pid, Name);
-         Check (Thread > 0,
-                "no thread " & Name & " among"
-                & Process_Facts.Thread_Names (R.Supervisor.Pid));
+         Play (R, Forward);
          Time := Now;
-         Check (Libc.Tgkill (R.Supervisor.Pid, Thread, Libc.Sigsegv) = 0,
+         Check (Libc.Tgkill
+                  (R.Supervisor.Pid,
+                   Process_Facts.Thread_Named (R.Supervisor.Pid, Name),
+                   Libc.Sigsegv) = 0,
                 "the thread cannot be signalled");
-         Status := R.Supervisor.Exit_Status;
+         R.Supervisor.Expect_Exit (3);
          Check_Within (Now - Time, 5.0, "the end after a failure");
-         Check (Status = 3,
-                "exit status" & Status'Image & " after the failure of "
-                & Name);
-         R.Emulator.Await_Status ("moving", "0");
-         Check (R.Emulator.Count_Of ("M=0") >= 1,
-                "no stop on the wire after the failure of " & Name);
+         Play (R, "status moving 0, seen M=0");
+      exception
+         when Occurrence : Failed | Too_Late =>
+            Raise_Exception
+              (Exception_Identity (Occurrence),
+               Name & " fails: " & Exception_Message (Occurrence));
       end Fail;
 
-      Names : Arguments;
+      S      : Supervisor;
+      Names  : Arguments;
+      Unused : int;
    begin
-      declare
-         S : Supervisors.Supervisor;
-      begin
-         S.Start;
-         Names := Words (Process_Facts.Thread_Names (S.Pid));
-      end;
-      Check (Natural (Names.Length) > 13, "the threads have no names");
+      S.Start;
+      Names := Words (Process_Facts.Thread_Names (S.Pid));
+      --  the report's thirteen are among them
+      for Name of Words
+        ("th_server th_receiveFromMon th_sendToMon th_comMonPerdue"
+         & " th_cameraControl th_captureImg th_arene th_openComRobot"
+         & " th_startRobot th_startRobotWD th_resetRobot th_move"
+         & " th_batteryLevel")
+      loop
+         Unused := Process_Facts.Thread_Named (S.Pid, Name);
+      end loop;
+      S.Stop;
       --  the environment task has the program's name
       Fail (Ada.Directories.Simple_Name (Programs.Supervisor));
       for Name of Names loop
          if Index (Name, "th_") = 1 then
             Fail (Name);
-            Forget_Last_Lines;
          end if;
       end loop;
    end Failing_Task;
 
-   procedure Crash_While_Moving (How : String; Status : Integer) is
-      --  In a library, which an image has reached
-      R    : Rig;
-      Path : constant String := Programs.Temporary_Folder & "/crash";
-      File : File_Type;
-      Time : Instant;
-      Seen : Integer;
-   begin
-      Assemble (R, Camera => True,
-                Launcher => Programs.Preload ("libcrashing_decoder.so")
-                  & " CRASH_FILE=" & Path & " CRASH=" & How);
-      Open_Camera (R);
-      Move_Forward (R);
-      Time := Now;
-      Create (File, Out_File, Path);
-      Seen := R.Supervisor.Exit_Status;
-      Delete (File);
-      Check (Seen = Status, How & ": exit status" & Seen'Image);
-      R.Emulator.Await_Status ("moving", "0");
-      Check_Within (R.Emulator.Await_On_Wire ("M=0").First - Time, 0.2,
-                    How & ": the stop");
-      Forget_Last_Lines;
-   end Crash_While_Moving;
-
    procedure Crashing_Library is
+      --  Which an image has reached, while the robot moves
+
+      procedure Crash (How : String; Status : Integer) is
+         R    : Rig;
+         Path : constant String := Programs.Temporary_Folder & "/crash";
+         Time : Instant;
+      begin
+         Assemble (R, Camera => True,
+                   Launcher => Programs.Preload ("libcrashing_decoder.so")
+                     & " CRASH_FILE=" & Path & " CRASH=" & How);
+         Play (R, With_Images & ", " & Forward);
+         Time := Now;
+         Check (Programs.New_File ("crash", "") = Path, Path);
+         R.Supervisor.Expect_Exit (Status);
+         Ada.Directories.Delete_File (Path);
+         Play (R, "status moving 0");
+         Check_Within (R.Emulator.Await_On_Wire ("M=0").First - Time, 0.2,
+                       How & ": the stop");
+      end Crash;
+
    begin
       for How of Words ("abort free fault stack thread exit") loop
-         Crash_While_Moving
-           (How, (if How in "abort" | "free" then 128 + 6   --  SIGABRT
-                  elsif How = "exit" then 3 else 128 + 11));  --  SIGSEGV
+         Crash (How, (if How in "abort" | "free" then 128 + 6   --  SIGABRT
+                      elsif How = "exit" then 3 else 128 + 11));  --  SIGSEGV
       end loop;
    end Crashing_Library;
 
-   procedure Kill_While_Moving (R : in out Rig) is
-   begin
-      Assemble (R);
-      Move_Forward (R);
-      R.Supervisor.Send_Signal (Libc.Sigkill);
-      Check (R.Supervisor.Exit_Status = 128 + 9, "its end");
-      Check (R.Emulator.Status ("moving") = "1", "the robot has stopped");
-      R.Emulator.Clear_Journal;
-   end Kill_While_Moving;
+   Killed : constant String :=
+     Forward & ", signal 9, ends 137, status moving 1, clear";
 
-   procedure Option_Stop is
-      R : Rig;
+   procedure Option_Stop (R : in out Rig) is
    begin
-      Kill_While_Moving (R);
-      Supervisors.Expect_Console
+      Expect_Console
         ("--stop --serial " & R.Emulator.Device, 0,
          "the robot was sent a stop on " & R.Emulator.Device);
-      R.Emulator.Await_Status ("moving", "0");
-      Supervisors.Expect_Console
-        ("--stop --serial /no/such", 1,
-         "no stop was sent on /no/such: No such file");
+      Play (R, "status moving 0");
+      Expect_Console ("--stop --serial /no/such", 1,
+                      "no stop was sent on /no/such: No such file");
    end Option_Stop;
 
-   procedure Option_Print_Markers is
-   begin
-      Supervisors.Expect_Console
-        ("--print-markers 999 --marker-size 20", 0, "999, frame 20 mm");
-   end Option_Print_Markers;
-
-   procedure Started_While_Moving is
+   procedure Started_While_Moving (R : in out Rig) is
       --  Before anybody opens the line; nothing else is sent
-      R : Rig;
    begin
-      Kill_While_Moving (R);
       R.Supervisor.Start ("--serial " & R.Emulator.Device);
-      R.Emulator.Await_Status ("moving", "0");
-      R.Supervisor.Expect_Log
-        ("the robot was sent a stop on " & R.Emulator.Device);
-      Check (R.Emulator.Count_Of ("M=0") = 1
-             and then R.Emulator.Journal.Last_Index = 1,
+      Play (R, "status moving 0, said the robot was sent a stop on "
+            & R.Emulator.Device & ", sent M=0 1");
+      Check (R.Emulator.Journal.Last_Index = 1,
              "not only a stop: " & R.Emulator.Wire_Text);
-      Connect (R);
-      Expect_Initial_State (R);
-      Start_Robot (R);
+      Play (R, "connect, " & Initial & ", " & Started);
    end Started_While_Moving;
 
-   procedure Hundred_Connections is
-      R           : Rig;
-      Memory      : Natural := 0;
-      Threads     : Natural := 0;
-      Descriptors : Natural := 0;
-
-      procedure Visit (Number : Positive) is
-      begin
-         Connect (R);
-         Start_Robot (R, Watchdog => Number mod 2 = 0);
-         if Number mod 10 = 0 then
-            Open_Camera (R, Positions => True);
-         end if;
+   procedure Hundred_Connections (R : in out Rig) is
+      Before : Process_Facts.Footprint;
+   begin
+      for Number in 1 .. 160 loop
+         Play (R, "connect, "
+               & (if Number mod 2 = 0 then Guarded else Started)
+               & (if Number mod 10 = 0 then ", " & With_Positions else ""));
          if Number = 10 then
             --  each frame slot gets the memory of an image, once
-            for Image in 1 .. 40 loop
-               Check (R.Monitor.Next_Of ("CIMG").Size > 0, "an image");
-            end loop;
+            R.Monitor.Await ("CIMG", 40);
          end if;
-         R.Monitor.Expect ("RGFW", "AACK");
-         Play (R, (case Number mod 3 is
-                      when 0      => "close, over",
-                      when 1      => "reset, over",
-                      when others => "part RS, close, over"));
-      end Visit;
-
-   begin
-      Assemble (R, Camera => True, Emulator_Options => "--baud 0",
-                Connected => False);
-      for Number in 1 .. 60 loop
-         Visit (Number);
+         Play (R, "RGFW AACK, "
+               & (case Number mod 3 is
+                     when 0      => "close, over",
+                     when 1      => "reset, over",
+                     when others => "part RS, close, over"));
+         if Number = 60 then
+            Before := Process_Facts.Footprint_Of (R.Supervisor.Pid);
+         end if;
       end loop;
-      Memory := Process_Facts.Resident_Kilobytes (R.Supervisor.Pid);
-      Threads := Process_Facts.Threads (R.Supervisor.Pid);
-      Descriptors := Process_Facts.Descriptors (R.Supervisor.Pid);
-      for Number in 61 .. 160 loop
-         Visit (Number);
-      end loop;
-      Note ("memory" & Memory'Image & " kB,"
-            & Process_Facts.Resident_Kilobytes (R.Supervisor.Pid)'Image
-            & " kB;" & Threads'Image & " threads;" & Descriptors'Image
-            & " descriptors");
-      Check (Process_Facts.Resident_Kilobytes (R.Supervisor.Pid)
-             <= Memory + 1024,
-             "memory grows from" & Memory'Image & " kB to"
-             & Process_Facts.Resident_Kilobytes (R.Supervisor.Pid)'Image);
-      Check (Process_Facts.Threads (R.Supervisor.Pid) = Threads,
-             "threads before and after differ");
-      Check (Process_Facts.Descriptors (R.Supervisor.Pid) = Descriptors,
-             "descriptors before and after differ");
+      Process_Facts.Expect_Flat (R.Supervisor.Pid, Before);
    end Hundred_Connections;
 
    procedure Memory_Locked is
@@ -394,10 +288,8 @@ procedure Process_Tests is
          R    : Rig;
          Size : Natural;
       begin
-         R.Emulator.Start (Camera => False);
-         R.Supervisor.Start
-           ("--serial " & R.Emulator.Device,
-            Launcher => Launcher, Program => Programs.Copied_Supervisor);
+         Start (R, Launcher => Launcher,
+                Program => Programs.Copied_Supervisor);
          R.Supervisor.Expect_Log
            ((if Locked then "memory: locked" else "memory: not locked"));
          Size := Process_Facts.Locked_Kilobytes (R.Supervisor.Pid);
@@ -408,70 +300,52 @@ procedure Process_Tests is
             or else Process_Facts.Resident_Kilobytes (R.Supervisor.Pid)
               < Size / 2,
             Launcher & ": all of the libraries is in memory");
-         Connect (R);
          R.Monitor.Expect ("RPIN", "ANAK");
       end Expect;
 
-      As_Much_As_It_Likes : constant String :=
+      Without_Limit : constant String :=
         "prlimit --memlock=unlimited:unlimited ";
-      A_Little            : constant String :=
+      A_Little      : constant String :=
         "prlimit --memlock=8388608:8388608 ";
-      Tool                : Child;
    begin
       Need_Root;
-      Tool.Start ("setpriv", Words ("--inh-caps=+ipc_lock true"));
-      if Tool.Exit_Status /= 0 then
-         Skip ("root may not lock memory here (CAP_IPC_LOCK)");
-      end if;
+      Need ("setpriv --inh-caps=+ipc_lock true",
+            "root may not lock memory here (CAP_IPC_LOCK)");
       Expect (A_Little & As_User, Locked => False);
       Expect (A_Little & "setpriv --bounding-set=-ipc_lock", Locked => False);
       Expect (A_Little & "setpriv --no-new-privs", Locked => True);
-      Tool.Start ("prlimit", Words ("--memlock=unlimited:unlimited true"));
-      if Tool.Exit_Status = 0 then
-         Expect (As_Much_As_It_Likes & As_User, Locked => True);
-      else
-         Note ("not tried without a limit: nobody may raise it here");
-      end if;
+      Need (Without_Limit & "true",
+            "nobody may raise the limit here; all else was well");
+      Expect (Without_Limit & As_User, Locked => True);
    end Memory_Locked;
 
-   procedure Drive_As_User (R : in out Rig; Watchdog : Boolean := False) is
+   procedure Drive_As_User (R : in out Rig; Start : String) is
       --  Another user's pseudo-terminal cannot be opened: it is given away
    begin
       Need_Root;
       R.Emulator.Start (Camera => True);
-      declare
-         Device : constant String := R.Emulator.Status ("device");
-      begin
-         Check (Libc.Chown (To_C (Device), 65_534, 65_534) = 0,
-                "the device cannot be given away");
-      end;
-      R.Supervisor.Start
-        ("--serial " & R.Emulator.Device & " --camera "
+      Check (Libc.Chown (To_C (R.Emulator.Status ("device")), 65_534, 65_534)
+             = 0, "the device cannot be given away");
+      Rigs.Start
+        (R,
+         "--serial " & R.Emulator.Device & " --camera "
          & R.Emulator.Camera_Url,
          Launcher => As_User, Program => Programs.Copied_Supervisor);
-      Connect (R);
-      Start_Robot (R, Watchdog);
-      Open_Camera (R, Positions => True);
-      R.Monitor.Expect ("RGFW", "AACK");
+      Play (R, Start & ", " & With_Positions & ", RGFW AACK, CASA CIMG");
    end Drive_As_User;
 
    procedure As_Ordinary_User is
       R : Rig;
    begin
-      Drive_As_User (R);
-      R.Monitor.Expect ("CASA", "CIMG");
-      R.Emulator.Clear_Journal;
-      R.Supervisor.Send_Signal (Libc.Sigterm);
-      Check (R.Supervisor.Exit_Status = 0, "exit status");
-      Check (R.Emulator.Count_Of ("M=0") >= 1, "no stop on the wire");
+      Drive_As_User (R, Started);
+      Play (R, "clear, signal 15, ends 0, seen M=0");
    end As_Ordinary_User;
 
    procedure Windows_Of_Ordinary_User is
       --  One of five may be missed on a busy machine
       R : Rig;
    begin
-      Drive_As_User (R, Watchdog => True);
-      R.Monitor.Expect ("CASA", "CIMG");
+      Drive_As_User (R, Guarded);
       delay 5.0;
       Check_In_Time
         (R.Emulator.Status_Number ("missed_total") <= 1, "missed windows");
@@ -482,40 +356,25 @@ procedure Process_Tests is
       --  linker searches in fewer places then, and finds the camera part
       R    : Rig;
       Copy : constant String := Programs.Temporary_Folder & "/capable";
-      Tool : Child;
    begin
       Need_Real_Time;
-      Need_Tool ("setcap");
+      Need ("which setcap", "there is no setcap here");
       Ada.Directories.Copy_File (Programs.Copied_Supervisor, Copy);
-      Tool.Start ("setcap", Words ("cap_sys_nice+ep " & Copy));
-      if Tool.Exit_Status /= 0 then
-         Skip ("this file system keeps no capabilities");
-      end if;
+      Need ("setcap cap_sys_nice+ep " & Copy,
+            "this file system keeps no capabilities");
       Check (Libc.Chmod (To_C (Copy), 8#755#) = 0, "the copy cannot be run");
       R.Emulator.Start (Camera => True);
-      R.Supervisor.Start ("--camera " & R.Emulator.Camera_Url,
-                          Launcher => As_User, Program => Copy);
+      Start (R, "--camera " & R.Emulator.Camera_Url, As_User, Copy);
       R.Supervisor.Expect_Log ("real-time priorities: FIFO, ceilings");
-      Connect (R);
-      Open_Camera (R);
-      R.Supervisor.Send_Signal (Libc.Sigterm);
-      Check (R.Supervisor.Exit_Status = 0, "exit status");
+      Play (R, With_Images & ", signal 15, ends 0");
    end With_File_Capability;
 
-   procedure Restarted_At_Once is
+   procedure Restarted_At_Once (R : in out Rig) is
       --  On the same port, although connections of the first still linger
-      R      : Rig;
-      Second : Supervisors.Supervisor;
-      Number : Positive;
+      Number : constant Positive := R.Supervisor.Port;
    begin
-      Assemble (R);
-      R.Monitor.Expect ("ROPN", "AACK");
-      Number := R.Supervisor.Port;
-      R.Supervisor.Send_Signal (Libc.Sigterm);
-      Check (R.Supervisor.Exit_Status = 0, "exit status");
-      Second.Start ("--serial " & R.Emulator.Device, Port => Number);
-      R.Monitor.Connect (Number);
-      R.Monitor.Expect ("ROPN", "AACK");
+      R.Supervisor.Start ("--serial " & R.Emulator.Device, Port => Number);
+      Play (R, "connect, ROPN AACK");
    end Restarted_At_Once;
 
    procedure Expect_Priorities (Launcher, Says : String) is
@@ -526,25 +385,22 @@ procedure Process_Tests is
       R             : Rig;
       Real_Time     : Natural;
    begin
-      Test.Start
-        ("env",
-         Words (Launcher & " "
-                & Programs.Copied (Programs.Beside ("ceiling_violation"))));
+      Test.Launch
+        ("env " & Launcher & " "
+         & Programs.Copied (Programs.Beside ("ceiling_violation")));
       Check
         (Test.Exit_Status = 0
-         and then Test.Awaited (Output, "said: " & Says) = 1
-         and then Test.Awaited
-           (Output,
-            "seen: "
-            & (if With_Ceilings then "Program_Error" else "no exception")) = 1,
-         "not so: " & Launcher);
-      R.Supervisor.Start
-        (Launcher => Launcher, Program => Programs.Copied_Supervisor);
-      Connect (R);
+         and then Test.Says ("said: " & Says, From => Output)
+         and then Test.Says
+           ("seen: "
+            & (if With_Ceilings then "Program_Error" else "no exception"),
+            From => Output),
+         "not so: " & Launcher & ": " & Test.Text (Output));
+      Start (R, Launcher => Launcher, Program => Programs.Copied_Supervisor);
       R.Monitor.Expect ("RPIN", "ANAK");
       R.Supervisor.Expect_Log ("real-time priorities: " & Says);
       Check (R.Supervisor.Count_Of ("priorities") = 1,
-             "not in one line: " & R.Supervisor.Log_Text);
+             "not in one line: " & R.Supervisor.Text);
       Real_Time := Process_Facts.Real_Time_Threads (R.Supervisor.Pid);
       Check
         (Real_Time = (if Index (Says, "FIFO") = 1
@@ -568,20 +424,15 @@ procedure Process_Tests is
       Is_Root      : constant Boolean := Libc.Geteuid = 0;
       In_Namespace : constant String :=
         (if Is_Root then As_User & " " else "") & "unshare --user ";
-      Tool         : Child;
    begin
+      Expect_Priorities ((if Is_Root then As_User else "env"), Not_Permitted);
       if Is_Root then
-         Expect_Priorities (As_User, Not_Permitted);
          Expect_Priorities
            ("setpriv --bounding-set=-sys_nice --inh-caps=-sys_nice",
             Not_Permitted);
-      else
-         Expect_Priorities ("env", Not_Permitted);
       end if;
-      Tool.Start ("env", Words (In_Namespace & "true"));
-      if Tool.Exit_Status /= 0 then
-         Skip ("no namespace of users can be made here; all else was well");
-      end if;
+      Need (In_Namespace & "true",
+            "no namespace of users can be made here; all else was well");
       Expect_Priorities (In_Namespace & "--map-root-user", Refused);
       Expect_Priorities
         (In_Namespace & "--map-user=65534 --keep-caps", Refused);
@@ -598,11 +449,11 @@ procedure Process_Tests is
       Need_Real_Time;
       Expect_Priorities (Filter, Refused);
       Expect_Priorities (Programs.As_Service & " " & Filter, Refused);
-      Supervisors.Expect_Console
+      Expect_Console
         ("--version", 0, "destijl ", Launcher => Filter);
       Check
         (Index
-           (Supervisors.Console ("--check", 1, Launcher => Filter),
+           (Console ("--check", 1, Launcher => Filter),
             "run as root") = 0,
          "--check advises to run as root");
    end Refused_By_Filter;
@@ -614,19 +465,17 @@ procedure Process_Tests is
       Group      : constant String :=
         All_Groups & "/"
         & Ada.Directories.Simple_Name (Programs.Temporary_Folder);
-      Launcher   : constant String :=
-        Programs.Temporary_Folder & "/without_run_time";
-      File       : File_Type;
+      Launcher   : constant String := Programs.New_File
+        ("without_run_time",
+         "#!/bin/sh" & ASCII.LF & "echo $$ >" & Group & "/cgroup.procs || exit"
+         & ASCII.LF & "exec ""$@""" & ASCII.LF, Mode => 8#755#);
 
       procedure Remove_Group is
-         Tool : Child;
       begin
          --  the kernel needs a moment to notice that it is empty
-         Tool.Start
-           ("timeout",
-            Words ("10|sh|-c|until rmdir " & Group & "; do sleep 0.1; done",
-                   Separator => '|'));
-         Check (Tool.Exit_Status = 0, "a control group is left behind");
+         Check (Status_Of ("timeout|10|sh|-c|until rmdir " & Group
+                           & "; do sleep 0.1; done", '|') = 0,
+                "a control group is left behind");
       end Remove_Group;
 
    begin
@@ -634,17 +483,10 @@ procedure Process_Tests is
       if not Ada.Directories.Exists (All_Groups & "/cpu.rt_runtime_us") then
          Skip ("no groups with run time here (CONFIG_RT_GROUP_SCHED)");
       end if;
-      Create (File, Out_File, Launcher);
-      Put_Line (File, "#!/bin/sh");
-      Put_Line (File, "echo $$ >" & Group & "/cgroup.procs || exit");
-      Put_Line (File, "exec ""$@""");
-      Close (File);
-      Check (Libc.Chmod (To_C (Launcher), 8#755#) = 0, "cannot be run");
       Ada.Directories.Create_Directory (Group);
       begin
          Expect_Priorities (Launcher, Refused);
-         Supervisors.Expect_Console
-           ("--version", 0, "destijl ", Launcher => Launcher);
+         Expect_Console ("--version", 0, "destijl ", Launcher);
       exception
          when others =>
             Remove_Group;
@@ -656,40 +498,30 @@ procedure Process_Tests is
    procedure By_Limit is
       --  By a limit below the tasks' highest priority none has one; by one
       --  below the highest of Linux there are no ceilings
-      procedure Expect (Limit : Positive; Says : String) is
-      begin
-         Expect_Priorities
-           ("prlimit --rtprio=" & Image (Limit) & ":" & Image (Limit) & " "
-            & As_User, Says);
-      end Expect;
-      Tool : Child;
+      Limits : constant array (1 .. 6) of Positive := (3, 20, 35, 36, 98, 99);
    begin
       Need_Root;
-      Tool.Start ("prlimit", Words ("--rtprio=99:99 true"));
-      if Tool.Exit_Status /= 0 then
-         Skip ("nobody may raise the limit of priorities here");
-      end if;
-      Expect (3, Not_Permitted);
-      Expect (20, Not_Permitted);
-      Expect (35, Not_Permitted);
-      Expect (36, "FIFO, no ceilings");
-      Expect (98, "FIFO, no ceilings");
-      Expect (99, "FIFO, ceilings");
+      Need ("prlimit --rtprio=99:99 true",
+            "nobody may raise the limit of priorities here");
+      for Limit of Limits loop
+         Expect_Priorities
+           ("prlimit --rtprio=" & Image (Limit) & ":" & Image (Limit) & " "
+            & As_User,
+            (case Limit is
+                when 1 .. 35  => Not_Permitted,
+                when 36 .. 98 => "FIFO, no ceilings",
+                when others   => "FIFO, ceilings"));
+      end loop;
    end By_Limit;
 
-   procedure Console_Blocked is
+   procedure Console_Blocked (R : in out Rig) is
       --  Nobody reads the log: its pipe is full after 64 kB
       Count : constant := 3_000;
-      R     : Rig;
    begin
-      Assemble (R, Supervisor_Options => "--log-level debug",
-                Emulator_Options => "--baud 0");
-      R.Supervisor.Ignore_Log;
-      Start_Robot (R);
-      for Number in 1 .. Count loop
-         R.Monitor.Send
-           ("RPIN" & ASCII.LF & "nonsense that is worth a line" & ASCII.LF);
-      end loop;
+      R.Supervisor.Ignore_Errors;
+      Play (R, Started);
+      R.Monitor.Send
+        (Count * ("RPIN" & ASCII.LF & "worth a line" & ASCII.LF));
       for Number in 1 .. Count loop
          Check_Label (R.Monitor.Next_Answer, "AACK", "RPIN" & Number'Image);
          Check_Label (R.Monitor.Next_Answer, "ACER", "after" & Number'Image);
@@ -697,26 +529,15 @@ procedure Process_Tests is
       Play (R, "RGFW AACK, clear, signal 15, seen M=0" & Ends);
    end Console_Blocked;
 
-   procedure Console_Monitor is
+   procedure Console_Monitor (R : in out Rig) is
       --  The project's own monitor drives the robot from a script
-      R       : Rig;
-      Tool    : Child;
-      File    : File_Type;
-      Script  : constant String := Programs.Temporary_Folder & "/script";
+      Script : constant String := Programs.New_File
+        ("script", Translate ("ROPN RSWW COPN RMOV:50 RGBT RSTP CCLS RCLS ",
+         Ada.Strings.Maps.To_Mapping (" ", (1 => ASCII.LF))));
    begin
-      Assemble (R, Camera => True, Connected => False);
-      Create (File, Out_File, Script);
-      for Line of Words ("ROPN RSWW COPN RMOV:50 RGBT RSTP CCLS RCLS") loop
-         Put_Line (File, Line);
-      end loop;
-      Close (File);
-      Tool.Start
-        (Programs.Monitor,
-         Words ("--host 127.0.0.1 --port"
-           & Positive'Image (R.Supervisor.Port) & " --script " & Script),
-         "console monitor");
-      Check (Tool.Exit_Status = 0, "the console monitor has failed");
-      Check (R.Emulator.Count_Of ("M=50") = 1, "no M=50 on the wire");
+      Expect_Monitor (R.Supervisor.Port, "",
+                      "--host 127.0.0.1 --script " & Script, 0);
+      Play (R, "sent M=50 1");
    end Console_Monitor;
 
 begin
@@ -727,10 +548,15 @@ begin
               Forward & ", signal " & Signal & Stopped,
               In_Time => Signal in "15" | "2");
    end loop;
-   Add ("Stop_Not_By_Ignored_Hang_Up", Not_Stopped_By_Hang_Up'Access);
+   Script ("Stop_Not_By_Ignored_Hang_Up",
+           "ROPN AACK, signal 1, signal 13, signal 21, signal 22, signal 25,"
+           & " signal 32, signal 33, RPIN AACK",
+           Launcher => "nohup");
+   --  Where it is ignored; nor by a limit of a file or a terminal, nor by the
+   --  signals that glibc has for itself
    Add ("Threads_Too_Few", Too_Few_Threads'Access);
    Script ("Stop_With_Camera_And_Watchdog",
-           "ROPN AACK, RSWW AACK, " & With_Positions & ", RGFW AACK, signal 15"
+           Guarded & ", " & With_Positions & ", RGFW AACK, signal 15"
            & Ends & ", status viewers 0", Camera => True, In_Time => True);
    Script ("Stop_While_Robot_Is_Silent",
            Forward & ", tell silent on, signal 15" & Ends, In_Time => True);
@@ -741,19 +567,27 @@ begin
    Script ("Stop_With_Stalled_Monitor",
            With_Images & ", " & Forward & ", pause, wait 1.5, signal 15"
            & Ends, Camera => True, In_Time => True);
-   Add ("Stop_At_Once", Stopped_At_Once'Access, In_Time => True);
-   Add ("Threads_Are_The_Reports_Thirteen", Thirteen_Threads'Access);
+   Script ("Stop_At_Once", "signal 2, signal 15" & Ends, Nobody_Listens'Access,
+           Connected => False, In_Time => True);
+   --  Without a session, and twice
    Add ("Never_Moves_On_After_A_Failed_Task",
         Failing_Task'Access, In_Time => True);
-   Add ("Stop_By_Option_After_SIGKILL", Option_Stop'Access);
-   Add ("Print_Markers_By_Option", Option_Print_Markers'Access);
-   Add ("Stop_By_The_Next_Start_After_SIGKILL", Started_While_Moving'Access);
+   Script ("Stop_By_Option_After_SIGKILL", Killed, Option_Stop'Access);
+   Script ("Stop_By_The_Next_Start_After_SIGKILL", Killed,
+           Started_While_Moving'Access);
    Add ("Never_Moves_On_After_A_Crash_In_A_Library",
         Crashing_Library'Access, In_Time => True);
    Add ("Threads_On_Their_Own_Processor", Own_Processor'Access);
-   Add ("Threads_On_One_Processor", One_Processor'Access);
-   Add ("Never_Grows_In_100_Connections", Hundred_Connections'Access);
-   Add ("Restart_At_Once", Restarted_At_Once'Access);
+   Script ("Threads_On_One_Processor", "", One_Processor'Access,
+           Launcher => "taskset --cpu-list 0");
+   Script ("Threads_On_One_Processor_Chosen", "", One_Processor'Access,
+           Launcher => "taskset --cpu-list 0",
+           Supervisor_Options => "--cpu auto");
+   Script ("Never_Grows_In_100_Connections", "", Hundred_Connections'Access,
+           Camera => True, Emulator_Options => "--baud 0",
+           Connected => False);
+   Script ("Restart_At_Once", "ROPN AACK, signal 15, ends 0",
+           Restarted_At_Once'Access);
    Add ("Memory_Is_Locked_Where_It_May", Memory_Locked'Access);
    Add ("Privileges_By_File_Capability", With_File_Capability'Access);
    Add ("Privileges_Of_Ordinary_User", As_Ordinary_User'Access);
@@ -764,7 +598,9 @@ begin
    Add ("Privileges_Refused_By_Group", Refused_By_Group'Access);
    Add ("Privileges_Refused_By_Filter", Refused_By_Filter'Access);
    Add ("Privileges_Limited", By_Limit'Access);
-   Add ("Never_Waits_For_The_Console",
-        Console_Blocked'Access, In_Time => True);
-   Add ("Console_Monitor_Drives_The_Robot", Console_Monitor'Access);
+   Script ("Never_Waits_For_The_Console", "", Console_Blocked'Access,
+           Supervisor_Options => "--log-level debug",
+           Emulator_Options => "--baud 0", In_Time => True);
+   Script ("Console_Monitor_Drives_The_Robot", "", Console_Monitor'Access,
+           Camera => True, Connected => False);
 end Process_Tests;

@@ -4,9 +4,7 @@
 
 with Ada.Strings.Unbounded; use Ada.Strings.Unbounded;
 
-with Dialogues;             use Dialogues;
 with Expectations;          use Expectations;
-with Instants;              use Instants;
 with Monitor_Clients;       use Monitor_Clients;
 with Rigs;                  use Rigs;
 with Scenarios;             use Scenarios;
@@ -15,31 +13,10 @@ procedure Radio_Tests is
 
    No_Retries : constant String := "--radio-retries 0";
 
-   procedure Packets_Take_Time is
-      --  A command's bytes, three silent ones, 5 ms in the air at least, and
-      --  the bytes once more
-      R : Rig;
-   begin
-      Assemble (R, Emulator_Options => No_Retries);
-      R.Monitor.Expect ("ROPN", "AACK");
-      R.Emulator.Clear_Journal;
-      for Attempt in 1 .. 10 loop
-         R.Monitor.Expect ("RPIN", "AACK");
-      end loop;
-      for Item of R.Emulator.Journal loop
-         Check (Item.Last - Item.First > 0.014,
-                "on its way for " & Milliseconds (Item.Last - Item.First));
-      end loop;
-      Check (R.Emulator.Count_Of ("p") = 10, "not each ping once");
-   end Packets_Take_Time;
-
-   procedure Some_Lost is
+   procedure Some_Lost (R : in out Rig) is
       --  Commands and answers: each command is answered, and all works after
-      R            : Rig;
       Not_Received : Natural := 0;
    begin
-      Assemble (R, Emulator_Options => No_Retries);
-      Play (R, "ROPN AACK, clear, tell radio-losses 5");
       for Number in 1 .. 100 loop
          R.Monitor.Send_Line ("RGST");
          Check_Label (R.Monitor.Next_Answer ("RGST"), "RCST ATIM", "RGST");
@@ -53,10 +30,9 @@ procedure Radio_Tests is
       Play (R, "tell mend, RGST RCST:0, RGBT RBLV:2, RSOW AACK, RGFW AACK");
    end Some_Lost;
 
-   procedure Bursts_Of_Retries is
+   procedure Bursts_Of_Retries (R : in out Rig) is
       --  Half of all attempts are repeated: some answers come after the
       --  time-out, and none is taken for the next
-      R    : Rig;
       Late : Natural := 0;
 
       procedure Ask (Command, Answer : String) is
@@ -71,9 +47,6 @@ procedure Radio_Tests is
       end Ask;
 
    begin
-      Assemble (R, Emulator_Options => No_Retries & " --battery 1",
-                Supervisor_Options => "--answer-timeout 200");
-      Play (R, "ROPN AACK, tell radio-bursts 100");
       for Number in 1 .. 30 loop
          Ask ("RGST", "RCST0");
          Ask ("RGBT", "RBLV1");
@@ -82,55 +55,52 @@ procedure Radio_Tests is
       Play (R, "unsaid robot lost, tell mend, RGST RCST:0, RSOW AACK");
    end Bursts_Of_Retries;
 
-   generic
-      Options : String;
-      Missed  : Natural;
-   procedure Keep_Watchdog;
-
-   procedure Keep_Watchdog is
+   procedure Add_Driving (Name, Options : String; Missed : Natural) is
       --  20 s while the robot drives, Missed reloads at most; no deadline is
       --  guaranteed without real-time priorities, but it keeps driving
-      R        : Rig;
-      Commands : Natural;
-   begin
-      Assemble (R, Emulator_Options => Options);
-      Start_Robot (R, Watchdog => True);
-      R.Monitor.Expect ("RGFW", "AACK");
-      R.Emulator.Clear_Journal;
-      delay 20.0;
-      Commands := Natural (R.Emulator.Journal.Length);
-      Note (R.Emulator.Count_Of ("w")'Image & " reloads,"
-            & Commands'Image & " commands in 20 s");
-      --  of 39 ms each, a short one: a quarter of the line's time
-      Check_In_Time (Commands <= 150, "so much for others:" & Commands'Image);
-      Check_In_Time (R.Emulator.Count_Of ("w") in 18 .. 22,
-                     R.Emulator.Count_Of ("w")'Image & " reloads");
-      if R.Supervisor.Says ("real-time priorities: FIFO") then
-         Check_In_Time (R.Emulator.Status_Number ("missed_total") <= Missed,
-                        "missed" & R.Emulator.Status ("missed_total"));
-      end if;
-      Play (R, "status disabled_count 0, status moving 1, unsaid robot lost,"
-            & " RSTP AACK, status moving 0");
-   end Keep_Watchdog;
 
-   procedure Watchdog_Kept is new Keep_Watchdog (No_Retries, 0);
-   procedure Watchdog_Kept_With_Retries is new Keep_Watchdog ("--radio", 2);
-   --  A reload whose answer is late because of two retries may cost the next
+      procedure Run (R : in out Rig) is
+         Commands : constant Natural := Natural (R.Emulator.Journal.Length);
+         Reloads  : constant Natural := R.Emulator.Count_Of ("w");
+      begin
+         Note (Reloads'Image & " reloads," & Commands'Image
+               & " commands in 20 s");
+         --  of 39 ms each, a short one: a quarter of the line's time
+         Check_In_Time
+           (Commands <= 150, "so much for others:" & Commands'Image);
+         Check_In_Time (Reloads in 18 .. 22, Reloads'Image & " reloads");
+         if R.Supervisor.Says ("real-time priorities: FIFO") then
+            Check_In_Time (R.Emulator.Status_Number ("missed_total") <= Missed,
+                           "missed" & R.Emulator.Status ("missed_total"));
+         end if;
+         Play (R, "status disabled_count 0, status moving 1,"
+               & " unsaid robot lost, RSTP AACK, status moving 0");
+      end Run;
+
+   begin
+      Script ("F11_Radio_Watchdog_Kept_" & Name,
+              Guarded & ", RGFW AACK, clear, wait 20", Run'Access,
+              Emulator_Options => Options, Timed => True);
+   end Add_Driving;
 
 begin
-   Add ("F11_Radio_Watchdog_Kept_For_20_s",
-        Watchdog_Kept'Access, Timed => True);
-   Add ("F11_Radio_Watchdog_Kept_With_Retries",
-        Watchdog_Kept_With_Retries'Access, Timed => True);
-   Add ("F08_Radio_Some_Packets_Lost", Some_Lost'Access);
+   Add_Driving ("For_20_s", No_Retries, Missed => 0);
+   Add_Driving ("With_Retries", "--radio", Missed => 2);
+   --  A reload whose answer is late because of two retries may cost the next
+   Script ("F08_Radio_Some_Packets_Lost",
+           "ROPN AACK, clear, tell radio-losses 5", Some_Lost'Access,
+           Emulator_Options => No_Retries);
    Script ("F09_Radio_All_Packets_Lost",
-           "ROPN AACK, RSOW AACK, RGFW AACK, status moving 1, clear,"
+           Forward & ","
            & " tell radio-losses 100, comes ATIM, log robot lost, seen M=0,"
            & " status moving 1, tell mend, " & Works_Again
            & ", status moving 0, RRST AACK",
            Emulator_Options => No_Retries, Times => 2);
    --  The last stop is lost as well
-   Add ("F08_Radio_Bursts_Of_Retries", Bursts_Of_Retries'Access);
+   Script ("F08_Radio_Bursts_Of_Retries", "ROPN AACK, tell radio-bursts 100",
+           Bursts_Of_Retries'Access,
+           Emulator_Options => No_Retries & " --battery 1",
+           Supervisor_Options => "--answer-timeout 200");
    Script ("F08_Radio_Late_Answers",
            "ROPN AACK, RPIN AACK, tell radio-retries 100, RPIN ATIM,"
            & " tell radio-retries 0, wait 1.0, RGBT RBLV:1, RGST RCST:0,"
@@ -144,7 +114,6 @@ begin
       & " RMOV:32767 AACK, wire M=32767 M=0 T=90 M=32767, clear, RCLS AACK,"
       & " seen M=0, status moving 0, unsaid robot lost",
       Emulator_Options => No_Retries, Times => 3);
-   Add ("F12_Radio_Packets_Take_Time", Packets_Take_Time'Access);
    Script ("F05_Radio_Stopped_At_The_End",
            Forward & ", close, seen M=0, status moving 0,"
            & " log ready for a new monitor, connect",

@@ -8,11 +8,15 @@ with Ada.Strings.Fixed;     use Ada.Strings.Fixed;
 with Ada.Strings.Unbounded; use Ada.Strings.Unbounded;
 with Ada.Text_IO;           use Ada.Text_IO;
 with GNAT.OS_Lib;
+with Interfaces.C;          use type Interfaces.C.int;
+with System.Multiprocessors;
 
 with Child_Processes;       use Child_Processes;
 with Expectations;
 with Instants;              use Instants;
+with Libc;
 with Network_Links;
+with Option_Readers;
 with Own_Process;
 with Plain_Numbers;         use Plain_Numbers;
 with Programs;
@@ -20,15 +24,6 @@ with Samples;
 with Supervisors;
 
 package body Scenarios is
-
-   type Scenario is record
-      Title : Unbounded_String;
-      Timed : Boolean;
-   end record;
-
-   package Scenario_Vectors is
-     new Ada.Containers.Vectors (Positive, Scenario);
-   package Number_Vectors is new Ada.Containers.Vectors (Positive, Positive);
 
    --  How the process of a test ends
 
@@ -45,7 +40,16 @@ package body Scenarios is
    Longest_Test : constant Duration := 300.0;
    --  Some last a minute
 
-   Known      : Scenario_Vectors.Vector;
+   Jobs : Positive :=
+     (if Own_Process.Real_Time_Allowed then 3 else 2)
+     * Positive (System.Multiprocessors.Number_Of_CPUs);
+   --  Most tests wait most of the time, but what waits without priority is
+   --  disturbed by the others
+
+   Known      : Arguments;
+   Together   : Arguments;
+   Apart      : Arguments;
+   --  Names of all tests, and of those to run
    Filters    : Arguments;
    Only_Timed : Boolean := False;
    The_One    : Unbounded_String;
@@ -60,30 +64,34 @@ package body Scenarios is
          Programs.Give_Up ("nobody reads what the tests have to say");
    end Say;
 
-   procedure Select_Timed is
+   procedure Read_Options is
    begin
-      Only_Timed := True;
-   end Select_Timed;
+      while Option_Readers.Next loop
+         if Programs.Read_Option then
+            null;
+         elsif Option_Readers.Name = "--timed" then
+            Only_Timed := True;
+         elsif Option_Readers.Name = "--jobs" then
+            Jobs := Option_Readers.Number (1, 64);
+         elsif Option_Readers.Name = "--one" then
+            The_One := To_Unbounded_String (Option_Readers.Value);
+         elsif Index (Option_Readers.Name, "-") = 1 then
+            Option_Readers.Refuse;
+         else
+            Filters.Append (Option_Readers.Name);
+         end if;
+      end loop;
+   end Read_Options;
 
-   procedure Add_Filter (Text : String) is
-   begin
-      Filters.Append (Text);
-   end Add_Filter;
-
-   procedure Select_One (Name : String) is
-   begin
-      The_One := To_Unbounded_String (Name);
-   end Select_One;
-
-   function Is_Named (Test : Scenario; Text : String) return Boolean is
-     (Index (Test.Title, Text) > 0
+   function Is_Named (Name, Text : String) return Boolean is
+     (Index (Name, Text) > 0
       and then (Only_Timed or else Index (Text, Timed_Name) > 0
-                or else Index (Test.Title, Timed_Name) = 0));
+                or else Index (Name, Timed_Name) = 0));
 
-   function Is_Selected (Test : Scenario) return Boolean is
-     (if Filters.Is_Empty then Test.Timed = Only_Timed
-      else (Test.Timed or else not Only_Timed)
-        and then (for some Text of Filters => Is_Named (Test, Text)));
+   function Is_Selected (Name : String; Timed : Boolean) return Boolean is
+     (if Filters.Is_Empty then Timed = Only_Timed
+      else (Timed or else not Only_Timed)
+        and then (for some Text of Filters => Is_Named (Name, Text)));
 
    procedure Measure_Floor is
       --  By how much this process wakes up too late
@@ -95,7 +103,7 @@ package body Scenarios is
          delay 0.001;
          Late.Add (Now - Due);
       end loop;
-      Expectations.Set_Floor (Late.Quantile (0.99));
+      Expectations.Own_Time := Late.Quantile (0.99);
    end Measure_Floor;
 
    procedure Run_Timed (Action : not null access procedure) is
@@ -103,7 +111,8 @@ package body Scenarios is
       Passed : Natural := 0;
       Failed : Natural := 0;
    begin
-      Own_Process.Go_First;
+      Libc.Nice (-10);
+      --  if it is root's, it and the programs it starts go first
       while Passed < 2 loop
          begin
             Measure_Floor;
@@ -127,8 +136,8 @@ package body Scenarios is
          if Timed then
             Run_Timed (Action);
          else
-            Supervisors.Be_Patient;
-            Expectations.Ignore_Times;
+            Supervisors.Patient := True;
+            Expectations.Ignore_Times := True;
             Action.all;
          end if;
          Say ("   ok");
@@ -151,24 +160,60 @@ package body Scenarios is
    end Run_One;
 
    procedure Add
-     (Name    : String;
-      Run     : not null access procedure;
-      Timed   : Boolean := False;
-      In_Time : Boolean := False) is
+     (Name           : String;
+      Run            : not null access procedure;
+      Timed, In_Time : Boolean := False) is
    begin
       if Name = The_One then
          Run_One (Run, Timed);
       end if;
-      Known.Append ((To_Unbounded_String (Name), Timed));
+      Known.Append (Name);
+      if not Is_Selected (Name, Timed) then
+         null;
+      elsif Timed then
+         Apart.Append (Name);
+      else
+         Together.Append (Name);
+      end if;
       if In_Time then
          Add (Name & Timed_Name, Run, Timed => True);
       end if;
    end Add;
 
+   procedure Script
+     (Name               : String;
+      Steps              : String   := "";
+      Run                : access procedure (R : in out Rig) := null;
+      Emulator_Options   : String   := "";
+      Supervisor_Options : String   := "";
+      Launcher           : String   := "";
+      Camera             : Boolean  := False;
+      Connected          : Boolean  := True;
+      Terminal           : Boolean  := False;
+      Times              : Positive := 1;
+      Each               : String   := "";
+      Timed, In_Time     : Boolean  := False)
+   is
+
+      procedure Assemble_And_Run is
+         R : Rig;
+      begin
+         Assemble (R, Camera, Emulator_Options, Supervisor_Options, Launcher,
+                   Connected => Connected, Terminal => Terminal);
+         Play (R, Steps, Times, Each);
+         if Run /= null then
+            Run (R);
+         end if;
+      end Assemble_And_Run;
+
+   begin
+      Add (Name, Assemble_And_Run'Access, Timed, In_Time);
+   end Script;
+
    --  The run of all
 
    type Duration_Of_Test is record
-      Test  : Positive;
+      Title : Unbounded_String;
       Taken : Duration;
    end record;
 
@@ -179,42 +224,39 @@ package body Scenarios is
      new Ada.Containers.Vectors (Positive, Duration_Of_Test);
    package Sorting is new Duration_Vectors.Generic_Sorting (Longer);
 
-   procedure Run (Jobs : Positive; Program : String; All_Passed : out Boolean)
-   is
+   procedure Run (All_Passed : out Boolean) is
 
       type Job is limited record
          Process : Child;
          Busy    : Boolean := False;
          Since   : Instant := Never;
-         Test    : Positive;
+         Title   : Unbounded_String;
       end record;
 
       All_Jobs                : array (1 .. Jobs) of Job;
-      Together, Apart         : Number_Vectors.Vector;
       Durations               : Duration_Vectors.Vector;
       Passed, Failed, Skipped : Natural := 0;
       Failures, Repeats       : Unbounded_String;
 
-      function Title (Test : Positive) return String is
-        (To_String (Known (Test).Title));
-
-      procedure Start (J : in out Job; From : in out Number_Vectors.Vector) is
+      procedure Start (J : in out Job; From : in out Arguments) is
          Options : Arguments;
       begin
          for Number in 1 .. Ada.Command_Line.Argument_Count loop
             Options.Append (Ada.Command_Line.Argument (Number));
          end loop;
-         J.Test := From.First_Element;
-         From.Delete_First;
+         J.Title := To_Unbounded_String (From.First_Element);
          Options.Append ("--one");
-         Options.Append (Title (J.Test));
-         J.Process.Start (Program, Options, Title (J.Test));
+         Options.Append (From.First_Element);
+         J.Process.Launch (Programs.Beside ("system_tests"), Options,
+                           Name => From.First_Element);
+         From.Delete_First;
          J.Since := Now;
          J.Busy := True;
       end Start;
 
       procedure Finish (J : in out Job) is
          Taken  : constant Duration := Now - J.Since;
+         Title  : constant String := To_String (J.Title);
          Hangs  : constant Boolean := J.Process.Is_Running;
          Result : Integer := Failed_Status;
          Reason : Unbounded_String;
@@ -227,8 +269,8 @@ package body Scenarios is
          else
             Result := J.Process.Exit_Status;
          end if;
-         Durations.Append ((J.Test, Taken));
-         Say (Title (J.Test) & ", " & Milliseconds (Taken));
+         Durations.Append ((J.Title, Taken));
+         Say (Title & ", " & Milliseconds (Taken));
          for From in Stream loop
             for Number in 1 .. J.Process.Count (From) loop
                declare
@@ -238,7 +280,7 @@ package body Scenarios is
                   Say (Text);
                   if Index (Text, Repeating) = 1 then
                      Append (Repeats,
-                             "REPEATED " & Title (J.Test) & ": "
+                             "REPEATED " & Title & ": "
                              & Text (Repeating'Length + 1 .. Text'Last)
                              & ASCII.LF);
                   end if;
@@ -259,11 +301,11 @@ package body Scenarios is
             Passed := Passed + 1;
          elsif Result = Skipped_Status then
             Skipped := Skipped + 1;
-            Say ("SKIPPED " & Title (J.Test) & ": " & To_String (Reason));
+            Say ("SKIPPED " & Title & ": " & To_String (Reason));
          else
             Failed := Failed + 1;
             Append (Failures,
-                    "FAILED " & Title (J.Test) & ": " & Reason & ASCII.LF);
+                    "FAILED " & Title & ": " & Reason & ASCII.LF);
          end if;
       end Finish;
 
@@ -275,17 +317,8 @@ package body Scenarios is
          Programs.Give_Up ("no test is called " & To_String (The_One));
       end if;
       for Text of Filters loop
-         if not (for some Test of Known => Is_Named (Test, Text)) then
+         if not (for some Name of Known => Is_Named (Name, Text)) then
             Programs.Give_Up ("no test has " & Text & " in its name");
-         end if;
-      end loop;
-      for Test in 1 .. Known.Last_Index loop
-         if not Is_Selected (Known (Test)) then
-            null;
-         elsif Known (Test).Timed then
-            Apart.Append (Test);
-         else
-            Together.Append (Test);
          end if;
       end loop;
 
@@ -313,7 +346,7 @@ package body Scenarios is
       for Number in 1 .. Integer'Min (10, Durations.Last_Index) loop
          --  as pytest has it
          Say (Rounded (Float (Durations (Number).Taken)) & "s call  "
-              & Title (Durations (Number).Test));
+              & To_String (Durations (Number).Title));
       end loop;
       Put (To_String (Repeats & Failures));
       Say (Image (Skipped) & " skipped");

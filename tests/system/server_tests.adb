@@ -5,16 +5,13 @@ with Ada.Directories;
 with Ada.Strings.Fixed;     use Ada.Strings.Fixed;
 with Ada.Strings.Maps;      use Ada.Strings.Maps;
 with Ada.Strings.Unbounded; use Ada.Strings.Unbounded;
-with Ada.Text_IO;
 
 with GNAT.Sockets;          use GNAT.Sockets;
-with Interfaces.C;          use Interfaces.C;
 
 with Child_Processes;       use Child_Processes;
 with Emulators;
 with Expectations;          use Expectations;
 with Instants;              use Instants;
-with Libc;
 with Monitor_Clients;       use Monitor_Clients;
 with Own_Process;
 with Plain_Numbers;         use Plain_Numbers;
@@ -29,27 +26,25 @@ procedure Server_Tests is
 
    Default_Port : constant := 5544;
 
+   Checked : constant String := "--check --port 0 --bind 127.0.0.1 --serial ";
+
    procedure Listens is
-      S : Supervisor;
-      M : Client;
+      R : Rig;
    begin
-      S.Start;
+      Start (R);
       declare
-         Log   : constant String := S.Log_Text;
          First : constant String :=
-           Log (1 .. Index (Log, (1 => ASCII.LF)) - 1);
+           To_String (R.Supervisor.Element (Errors, 1).Text);
       begin
          Check
            (First (1) = '['
-            and then Index
-              (First, "] info: listening on 127.0.0.1:" & Image (S.Port)) > 0,
+            and then Index (First, "] info: listening on 127.0.0.1:"
+                            & Image (R.Supervisor.Port)) > 0,
             "the first line of the log is: " & First);
       end;
-      Check (S.Output_Text = "", "the log is for standard error");
-      M.Connect (S.Port);
-      M.Expect ("RPIN", "ANAK");
-      S.Send_Signal (Libc.Sigterm);
-      Check (S.Exit_Status = 0, S.Log_Text);
+      Check (R.Supervisor.Text (Output) = "", "the log is for standard error");
+      R.Monitor.Expect ("RPIN", "ANAK");
+      R.Supervisor.Expect_End;
    end Listens;
 
    procedure Cannot_Listen is
@@ -72,155 +67,111 @@ procedure Server_Tests is
    procedure Admitted_Quickly is
       --  F2: 50 ms. The median must meet it; a single one may be delayed by
       --  other load of the machine.
-      S     : Supervisor;
+      R     : Rig;
       Taken : Samples.Set;
-      Mark  : Natural;
+      Begun : Instant;
    begin
-      S.Start;
+      R.Supervisor.Start;
       for Attempt in 1 .. 9 loop
-         declare
-            M     : Client;
-            Start : constant Instant := Now;
-         begin
-            Mark := S.Log_Length;
-            M.Connect (S.Port);
-            M.Expect ("RPIN", "ANAK");
-            Taken.Add (Now - Start);
-         end;
-         S.Expect_Log ("session closed", After => Mark);
+         Begun := Now;
+         Connect (R);
+         R.Monitor.Expect ("RPIN", "ANAK");
+         Taken.Add (Now - Begun);
+         Play (R, "close, log session closed");
       end loop;
       Note ("slowest " & Milliseconds (Taken.Quantile (1.0)));
       Check_Within (Taken.Quantile (0.5), 0.05, "the median admission");
    end Admitted_Quickly;
 
-   procedure Burst_Of_10_000 is
+   procedure Burst_Of_10_000 (R : in out Rig) is
       Count : constant := 10_000;
-      R     : Rig;
       Text  : Unbounded_String;
-      Start : Instant;
 
       --  The robot is not started, so there are no unsolicited messages. Three
       --  kinds of answers without the robot's help and four with it, in an
       --  order without a short period.
 
+      subtype Word is String (1 .. 4);
+
+      type Word_Array is array (0 .. 6) of Word;
+
+      Commands : constant Word_Array :=
+        ("RPIN", "RGBT", "RGST", "XYZT", "CPCO", "RGFW", "RLDW");
+      Labels   : constant Word_Array :=
+        ("AACK", "RBLV", "RCST", "ACER", "ANAK", "ACRJ", "ACRJ");
+
       function Kind (Number : Positive) return Natural is
         ((Number * Number + Number / 7) mod 7);
 
-      function Command (Number : Positive) return String is
-        (case Kind (Number) is
-            when 0 => "RPIN", when 1 => "RGBT", when 2 => "RGST",
-            when 3 => "XYZT", when 4 => "CPCO", when 5 => "RGFW",
-            when others => "RLDW");
-
-      function Answer (Number : Positive) return String is
-        (case Kind (Number) is
-            when 0 => "AACK:", when 1 => "RBLV:2", when 2 => "RCST:0",
-            when 3 => "ACER:", when 4 => "ANAK:", when 5 => "ACRJ:",
-            when others => "ACRJ:");
    begin
-      Assemble (R, Emulator_Options => "--baud 0");
-      R.Monitor.Expect ("ROPN", "AACK");
       for Number in 1 .. Count loop
-         Append (Text, Command (Number) & ASCII.LF);
+         Append (Text, Commands (Kind (Number)) & ASCII.LF);
       end loop;
       R.Monitor.Skip_To_Now;
-      Start := Now;
       R.Monitor.Send (To_String (Text));
       for Number in 1 .. Count loop
          declare
+            K    : constant Natural := Kind (Number);
             Item : constant Message := R.Monitor.Next;
-            Seen : constant String := Item.Label & ":" & To_String (Item.Data);
          begin
-            Check (Item.Number > 0,
-                   "no answer to command" & Integer'Image (Number));
-            Check (Seen = Answer (Number),
+            Check (Item.Label = Labels (K)
+                   and then Item.Data = (if K = 1 then "2"
+                                         elsif K = 2 then "0" else ""),
                    "answer" & Integer'Image (Number) & ", to "
-                   & Command (Number) & ", is " & Seen & " instead of "
-                   & Answer (Number));
+                   & Commands (K) & ", is " & Item.Label & ":"
+                   & To_String (Item.Data));
          end;
       end loop;
-      Note ("all answered after " & Milliseconds (Now - Start));
-      R.Monitor.Expect_Silence
-        ("AACK ANAK ACRJ ATIM ACER RBLV RCST", For_Time => 0.3);
+      R.Monitor.Expect_Silence (Answers & " RBLV RCST", For_Time => 0.3);
    end Burst_Of_10_000;
 
-   procedure Burst_While_Started is
+   procedure Burst_While_Started (R : in out Rig) is
       --  Movements may be overtaken by stops, so only their number and the
       --  order of their answers are known.
       Count    : constant := 1_000;
-      R        : Rig;
-      Text     : Unbounded_String;
       Answered : Natural := 0;
+      Item     : Message;
    begin
-      Assemble (R, Emulator_Options => "--baud 0");
-      Start_Robot (R, Watchdog => True);
+      R.Monitor.Send
+        (Count / 4 * Translate ("RPIN|what|RSTP|what|RTRN:-10|what|RMOV:10|"
+                                & "what|", To_Mapping ("|", (1 => ASCII.LF))));
       for Number in 1 .. Count loop
-         Append (Text,
-                 (case Number mod 4 is
-                     when 0 => "RMOV:10", when 1 => "RTRN:-10",
-                     when 2 => "RSTP", when others => "RPIN") & ASCII.LF
-                 & "what" & ASCII.LF);
-      end loop;
-      R.Monitor.Skip_To_Now;
-      R.Monitor.Send (To_String (Text));
-      for Number in 1 .. Count loop
-         declare
-            Item : constant Message := R.Monitor.Next_Answer;
-         begin
-            Check_Label
-              (Item, (if Number mod 4 < 2 then "AACK ACRJ" else "AACK"),
-               "order" & Integer'Image (Number));
-            if Item.Label = "AACK" then
-               Answered := Answered + 1;
-            end if;
-         end;
+         Item := R.Monitor.Next_Answer;
+         Check_Label
+           (Item, (if Number mod 4 in 1 .. 2 then "AACK" else "AACK ACRJ"),
+            "order" & Integer'Image (Number));
+         Answered := Answered + Boolean'Pos (Item.Label = "AACK");
          Check_Label (R.Monitor.Next_Answer, "ACER",
                       "out of order at" & Integer'Image (Number));
       end loop;
       Check (Answered >= Count / 2, "stops or pings were refused");
-      R.Monitor.Expect_Silence
-        ("AACK ANAK ACRJ ATIM ACER RCST", For_Time => 0.3);
+      R.Monitor.Expect_Silence (Answers & " RCST", For_Time => 0.3);
    end Burst_While_Started;
 
-   procedure Flood_Keeps_Memory is
+   procedure Flood_Keeps_Memory (R : in out Rig) is
       --  Rule 2: the number of waiting commands is bounded
-      Count    : constant := 40_000;
-      R        : Rig;
-      Text     : Unbounded_String;
-      Before   : Natural;
+      Count  : constant := 40_000;
+      Before : constant Process_Facts.Footprint :=
+        Process_Facts.Footprint_Of (R.Supervisor.Pid);
    begin
-      Assemble (R);
-      R.Monitor.Expect ("ROPN", "AACK");
-      R.Emulator.Tell ("delay 60");
-      R.Monitor.Expect ("RPIN", "AACK");
-      Before := Process_Facts.Resident_Kilobytes (R.Supervisor.Pid);
-      Append (Text, "RPIN" & ASCII.LF);
-      for Number in 1 .. Count loop
-         Append (Text, "nope" & ASCII.LF);
-      end loop;
       R.Monitor.Skip_To_Now;
-      R.Monitor.Send (To_String (Text));
+      R.Monitor.Send ("RPIN" & ASCII.LF & Count * ("nope" & ASCII.LF));
       Check_Label (R.Monitor.Next, "AACK", "the first command");
       for Number in 1 .. Count loop
          Check (R.Monitor.Next.Label = "ACER",
                 "no ACER to bad command" & Integer'Image (Number));
       end loop;
-      Check (Process_Facts.Resident_Kilobytes (R.Supervisor.Pid)
-             <= Before + 1024,
-             "the flood took more than 1 MB of memory");
+      Process_Facts.Expect_Flat (R.Supervisor.Pid, Before);
    end Flood_Keeps_Memory;
 
-   procedure Crowd_Finds_Room is
+   procedure Crowd_Finds_Room (R : in out Rig) is
       --  Clients to be rejected, as another monitor is in command, wait in the
       --  kernel's queue. If it is full the kernel drops the connection, and
       --  the client retries after 1, 3 and 7 s.
-      Count    : constant := 200;
-      R        : Rig;
-      Visitors : array (1 .. Count) of Socket_Type;
+      Visitors : array (1 .. 200) of Socket_Type;
       Start    : Instant;
       Longest  : Duration := 0.0;
    begin
-      Assemble (R);
       for Visitor of Visitors loop
          Create_Socket (Visitor);
          Start := Now;
@@ -236,13 +187,17 @@ procedure Server_Tests is
       Check_Within (Longest, 0.5, "to get into the queue");
    end Crowd_Finds_Room;
 
-   procedure Connect_To_Own (M : in out Client) is
-      --  To one that cannot say that it listens
+   procedure Run_Silently
+     (R : in out Rig; Level : String; Launcher : String := "")
+   is
+      --  One that cannot say that it listens, and a monitor
       Limit : constant Instant := Now + Patience;
    begin
+      R.Supervisor.Run
+        ("--log-level " & Level & " --bind " & Own_Address, Launcher);
       loop
          begin
-            M.Connect (Default_Port, Own_Address);
+            R.Monitor.Connect (Default_Port, Own_Address);
             return;
          exception
             when Failed =>
@@ -252,43 +207,31 @@ procedure Server_Tests is
                delay 0.02;
          end;
       end loop;
-   end Connect_To_Own;
+   end Run_Silently;
 
    procedure Streams_Closed is
       --  Started without standard streams, a program is given their numbers
       --  for what it opens first: the log must not go to a monitor
-      Count    : constant := 20;
-      Launcher : constant String :=
-        Programs.Temporary_Folder & "/streams_closed";
-      File     : Ada.Text_IO.File_Type;
-      S        : Supervisor;
-      M        : Client;
+      Count : constant := 20;
+      R     : Rig;
    begin
-      Ada.Text_IO.Create (File, Ada.Text_IO.Out_File, Launcher);
-      Ada.Text_IO.Put_Line (File, "#!/bin/sh");
-      Ada.Text_IO.Put_Line (File, "exec ""$@"" <&- >&- 2>&-");
-      Ada.Text_IO.Close (File);
-      Check (Libc.Chmod (To_C (Launcher), 8#755#) = 0, "chmod");
-      S.Run ("--log-level debug --bind " & Own_Address, Launcher);
-      Connect_To_Own (M);
-      for Number in 1 .. Count loop
-         M.Expect ("RPIN", "ANAK");
-      end loop;
+      Run_Silently
+        (R, "debug",
+         Programs.New_File
+           ("streams_closed",
+            "#!/bin/sh" & ASCII.LF & "exec ""$@"" <&- >&- 2>&-" & ASCII.LF,
+            Mode => 8#755#));
+      Play (R, "RPIN ANAK", Times => Count);
       delay 0.1;
-      Check (M.Count = Count, "more than the answers:" & M.Count'Image);
-      S.Send_Signal (Libc.Sigterm);
-      Check (S.Exit_Status = 0, "exit status");
+      Check (R.Monitor.Count = Count,
+             "more than the answers:" & R.Monitor.Count'Image);
+      R.Supervisor.Expect_End;
    end Streams_Closed;
 
    procedure Options_Bad is
    begin
       for Option of Words
-        ("--nonsense stray --port --port=65536 --port=-1 --port=five"
-         & " --port=99999999999999999999 --allow=10.0.0 --token"
-         & " --frame-size=640 --frame-size=0x0 --frame-size=640x480x2"
-         & " --fps=0 --jpeg-quality=101 --marker=square --message-gap=-1"
-         & " --answer-timeout=19 --answer-timeout=301"
-         & " --log-level=loud --cpu=none")
+        ("--nonsense stray --port --port=65536 --allow=10.0.0 --marker=square")
       loop
          declare
             Text : constant String := Console (Option, 2);
@@ -300,38 +243,39 @@ procedure Server_Tests is
       end loop;
    end Options_Bad;
 
-   procedure Options_Help is
+   procedure Options_That_Tell is
+      --  The version is one line of standard output: a name, and three numbers
       S : Supervisor;
    begin
       S.Run ("--help");
-      Check (S.Exit_Status = 0, "exit status");
+      S.Expect_Exit (0);
       for Option of Words
         ("--port --bind --allow --token --serial --answer-timeout --camera"
          & " --frame-size --fps --jpeg-quality"
          & " --marker --draw --message-gap --cpu --log-level"
          & " --check --version 5544")
       loop
-         Check (Index (S.Output_Text, Option) > 0,
+         Check (S.Says (Option, From => Output),
                 "--help does not tell " & Option);
       end loop;
-   end Options_Help;
-
-   procedure Options_Version is
-      --  One line of standard output: a name, and three numbers
-      S : Supervisor;
-   begin
       S.Run ("--version");
-      Check (S.Exit_Status = 0, "exit status");
+      S.Expect_Exit (0);
       declare
          Text  : constant String :=
            Translate
-             (S.Output_Text, To_Mapping ("0123456789", "0000000000"));
+             (S.Text (Output), To_Mapping ("0123456789", "0000000000"));
          Parts : constant String := Trim (Text, To_Set ("0"), To_Set ("0"));
       begin
-         Check (Parts = "destijl 0.0.0" & ASCII.LF and then S.Log_Text = "",
-                "the version is: " & S.Output_Text & S.Log_Text);
+         Check (Parts = "destijl 0.0.0" & ASCII.LF and then S.Text = "",
+                "the version is: " & S.Text (Output) & S.Text);
       end;
-   end Options_Version;
+   end Options_That_Tell;
+
+   procedure Print_Markers is
+   begin
+      Expect_Console
+        ("--print-markers 999 --marker-size 20", 0, "999, frame 20 mm");
+   end Print_Markers;
 
    procedure Not_Heard is
 
@@ -339,24 +283,17 @@ procedure Server_Tests is
         (Program : String; Status : Integer; Option, Outputs : String)
       is
          --  With a shell's redirections
-         E    : Child;
-         Line : Arguments := Words ("-c");
-         Got  : Integer;
+         Line : constant String :=
+           "exec '" & Program & "' " & Option & " " & Outputs;
+         Got  : constant Integer := Status_Of ("sh|-c|" & Line, '|');
       begin
-         Line.Append ("exec ""$0"" " & Option & " " & Outputs);
-         Line.Append (Program);
-         E.Start ("/bin/sh", Line);
-         Got := E.Exit_Status;
-         Check (Got = Status,
-                Program & " " & Option & " " & Outputs
-                & ": exit status" & Got'Image);
+         Check (Got = Status, Line & ": exit status" & Got'Image);
       end Expect;
 
-      Tools : Arguments;
+      Tools : constant Arguments :=
+        Words (Programs.Supervisor & "|" & Programs.Monitor & "|"
+               & Programs.Emulator, '|');
    begin
-      Tools.Append (Programs.Supervisor);
-      Tools.Append (Programs.Monitor);
-      Tools.Append (Programs.Emulator);
       for Program of Tools loop
          Expect (Program, 1, "--help", ">/dev/full");
          Expect (Program, 1, "--version", ">/dev/full");
@@ -374,106 +311,85 @@ procedure Server_Tests is
       S     : Supervisor;
    begin
       E.Start (Camera => True);
-      Login.Start
-        ("sh",
-         Words ("-c|exec setsid --ctty sh -c 'echo ready; exec sleep 100' <"
-                & E.Device, Separator => '|'));
+      Login.Launch
+        ("sh|-c|exec setsid --ctty sh -c 'echo ready; exec sleep 100' <"
+         & E.Device, '|');
       Check
-        (Login.Awaited (Output, "ready", Patience) > 0, "it has no terminal");
-      S.Run ("--check --port 0 --bind 127.0.0.1 --serial " & E.Device
-             & " --camera " & E.Camera_Url);
+        (Login.Says ("ready", Patience, From => Output), "it has no terminal");
+      S.Run (Checked & E.Device & " --camera " & E.Camera_Url);
       declare
          Status : constant Integer := S.Exit_Status;
-         Text   : constant String := S.Output_Text;
 
          function Is_Well (What : String) return Boolean is
-           (Index (Text, "ok      " & What) > 0);
+           (S.Says ("ok      " & What, From => Output));
 
          Priorities : constant Boolean := Is_Well ("real-time priorities: ");
          Memory     : constant Boolean := Is_Well ("memory: ");
       begin
          Check (Is_Well ("serial line ") and then Is_Well ("camera: ")
                 and then Is_Well ("kernel ")
-                and then Is_Well ("port 127.0.0.1:"), Text);
-         Check (Priorities = Own_Process.Real_Time_Allowed
+                and then Is_Well ("port 127.0.0.1:")
+                and then Priorities = Own_Process.Real_Time_Allowed
                 and then Status = (if Priorities and Memory then 0 else 1),
-                "exit status" & Status'Image & ": " & Text);
+                "exit status" & Status'Image & ": " & S.Text (Output));
       end;
    end Check_All_Well;
 
-   procedure Check_Line_In_Use is
-      --  By the kernel; by a login, only a machine with a real line shows
-      use Ada.Text_IO;
-      Options : constant String :=
-        "--check --port 0 --bind 127.0.0.1 --serial ";
-      Console : constant String := "/dev/ttyS0";
-      Table   : File_Type;
-      Is_One  : Boolean := False;
-   begin
-      Open (Table, In_File, "/proc/consoles");
-      while not End_Of_File (Table) loop
-         Is_One := Is_One or else Index (Get_Line (Table), " 4:64") > 0;
-      end loop;
-      Close (Table);
-      if Is_One and then Ada.Directories.Exists (Console) then
-         Expect_Console (Options & Console, 1,
-                         "not ok  serial line " & Console
-                         & ": it is a console of the kernel");
-      end if;
-   end Check_Line_In_Use;
-
-   procedure Check_Hints is
-      --  Are those of how it was installed
-      Program : constant String := Programs.Copied_Supervisor;
-      Options : constant String :=
-        "--check --port 0 --bind 127.0.0.1 --serial /dev/no_such_line";
-   begin
-      Expect_Console (Options, 1, "(name another with --serial)");
-      Expect_Console
-        (Options, 1,
-         "(name another with --serial, DESTIJL_SERIAL in "
-         & "/etc/default/destijl)",
-         Launcher => "env PATH=" & Ada.Directories.Containing_Directory
-           (Program) & ":/usr/bin:/bin",
-         Program  => Ada.Directories.Simple_Name (Program));
-   end Check_Hints;
-
    procedure Check_Nothing_Well is
-      Taken : Supervisor;
+      --  A line in use by the kernel; by a login, only a machine with a real
+      --  line shows. Hints are those of how it was installed
+      Console : constant String := "/dev/ttyS0";
+      No_Line : constant String := "/dev/no_such_line";
+      Program : constant String := Programs.Copied_Supervisor;
+      Taken   : Supervisor;
    begin
       Taken.Start;
       declare
-         Text : constant String := Console
+         Text : constant String := Supervisors.Console
            ("--check --bind 127.0.0.1 --port " & Image (Taken.Port)
-            & " --serial /dev/no_such_line --camera /no/such/camera", 1);
+            & " --serial " & No_Line & " --camera /no/such/camera", 1);
       begin
          for Place of Words
-           ("serial line /dev/no_such_line|camera /no/such/camera|"
+           ("serial line " & No_Line & "|camera /no/such/camera|"
             & "port 127.0.0.1:" & Image (Taken.Port), Separator => '|')
          loop
             Check (Index (Text, "not ok  " & Place) > 0,
                    "not told of: " & Place & ": " & Text);
          end loop;
+         Check (Index (Text, "(name another with --serial)") > 0,
+                "no hint: " & Text);
       end;
+      Expect_Console
+        (Checked & No_Line, 1,
+         "(name another with --serial, DESTIJL_SERIAL in "
+         & "/etc/default/destijl)",
+         Launcher => "env PATH=" & Ada.Directories.Containing_Directory
+           (Program) & ":/usr/bin:/bin",
+         Program  => Ada.Directories.Simple_Name (Program));
+      if Process_Facts.File_Line ("/proc/consoles", " 4:64") /= ""
+        and then Ada.Directories.Exists (Console)
+      then
+         Expect_Console (Checked & Console, 1,
+                         "not ok  serial line " & Console
+                         & ": it is a console of the kernel");
+      end if;
    end Check_Nothing_Well;
 
    procedure Log_Levels is
       --  A line of each level is logged from its own level on
 
       procedure Expect (Level : String; Warning, Info, Debug : Boolean) is
-         S : Supervisor;
-         M : Client;
+         R : Rig;
+         S : Supervisor renames R.Supervisor;
       begin
-         S.Run ("--bind " & Own_Address & " --log-level " & Level);
-         Connect_To_Own (M);
-         M.Expect ("RPIN", "ANAK");
-         M.Close;
-         S.Send_Signal (Libc.Sigterm);
-         Check (S.Exit_Status = 0, "exit status");
+         Run_Silently (R, Level);
+         R.Monitor.Expect ("RPIN", "ANAK");
+         R.Monitor.Close;
+         S.Expect_End;
          Check (S.Says ("warning: monitor lost") = Warning
                 and then S.Says ("info: listening") = Info
                 and then S.Says ("debug: received RPIN") = Debug,
-                Level & ": " & S.Log_Text);
+                Level & ": " & S.Text);
       end Expect;
 
    begin
@@ -488,16 +404,11 @@ procedure Server_Tests is
       Tool : Child;
    begin
       S.Start;
-      Tool.Start (Programs.Monitor,
-                  Words ("--script - --port" & Positive'Image (S.Port)),
-                  "console monitor");
-      Tool.Put_Line ("go 40;30");
-      Tool.Put_Line ("wait mission");
+      Start_Monitor (Tool, S.Port, "go 40;30|wait mission");
       Check
-        (Tool.Awaited
-           (Errors, "no mission: the last answer is ANAK", Patience) > 0,
+        (Tool.Says ("no mission: the last answer is ANAK", Patience),
          "it waits for a mission that was refused");
-      Check (Tool.Exit_Status = 1, "exit status");
+      Tool.Expect_Exit (1);
    end Console_Does_Not_Wait_In_Vain;
 
 begin
@@ -505,21 +416,22 @@ begin
    Add ("F01_Cannot_Listen", Cannot_Listen'Access, In_Time => True);
    Add ("F02_Connection_Admitted_Quickly",
         Admitted_Quickly'Access, Timed => True);
-   Add ("F02_Crowd_Finds_Room_To_Wait",
-        Crowd_Finds_Room'Access, Timed => True);
-   Add ("F03_Burst_Of_10_000_Commands", Burst_Of_10_000'Access);
-   Add ("F03_Burst_While_Started", Burst_While_Started'Access);
-   Add ("F03_Rule_2_Flood_Keeps_Memory", Flood_Keeps_Memory'Access);
+   Script ("F02_Crowd_Finds_Room_To_Wait", "", Crowd_Finds_Room'Access,
+           Timed => True);
+   Script ("F03_Burst_Of_10_000_Commands", "ROPN AACK", Burst_Of_10_000'Access,
+           Emulator_Options => "--baud 0");
+   Script ("F03_Burst_While_Started", Guarded, Burst_While_Started'Access,
+           Emulator_Options => "--baud 0");
+   Script ("F03_Rule_2_Flood_Keeps_Memory",
+           "ROPN AACK, tell delay 60, RPIN AACK", Flood_Keeps_Memory'Access);
    Add ("Never_Logs_To_A_Monitor", Streams_Closed'Access);
    Add ("Options_Bad", Options_Bad'Access);
-   Add ("Options_Help", Options_Help'Access);
-   Add ("Options_Version", Options_Version'Access);
+   Add ("Options_That_Tell", Options_That_Tell'Access);
+   Add ("Print_Markers_By_Option", Print_Markers'Access);
    Add ("Options_Not_Heard", Not_Heard'Access);
    Add ("Options_Log_Levels", Log_Levels'Access);
    Add ("Options_Console_Does_Not_Wait_In_Vain",
         Console_Does_Not_Wait_In_Vain'Access);
    Add ("Check_All_Well", Check_All_Well'Access);
-   Add ("Check_Line_In_Use", Check_Line_In_Use'Access);
-   Add ("Check_Hints", Check_Hints'Access);
    Add ("Check_Nothing_Well", Check_Nothing_Well'Access);
 end Server_Tests;

@@ -4,11 +4,9 @@
 with Ada.Directories;
 with Ada.Strings.Fixed;     use Ada.Strings.Fixed;
 with Ada.Strings.Unbounded; use Ada.Strings.Unbounded;
-with Ada.Text_IO;
 with Interfaces.C;          use Interfaces.C;
 
-with Child_Processes;
-with Dialogues;             use Dialogues;
+with Child_Processes;       use Child_Processes;
 with Expectations;          use Expectations;
 with Instants;              use Instants;
 with Libc;
@@ -26,18 +24,6 @@ procedure Trace_Tests is
 
    function Trace_Path return String is
      (Programs.Temporary_Folder & "/trace.txt");
-
-   procedure Stop_And_Read (R : in out Rig; T : out Trace) is
-      --  Ends the supervisor in good order
-      Limit : constant Duration := 4.0;
-      Start : constant Instant := Now;
-   begin
-      R.Supervisor.Send_Signal (Libc.Sigterm);
-      Check (R.Supervisor.Exit_Status = 0,
-             "exit status: " & R.Supervisor.Log_Text);
-      Check_Within (Now - Start, Limit, "the end, with a trace");
-      Read (Trace_Path, T);
-   end Stop_And_Read;
 
    procedure Check_Form (T : Trace) is
       --  What must hold of every trace: jobs and waits nested, begun and
@@ -129,54 +115,33 @@ procedure Trace_Tests is
       Follow ("th_sendToMon", "out AACK", 'i', Numbered => False);
    end Check_Way;
 
-   function Text_Of (Path : String) return String is
-      use Ada.Text_IO;
-      File   : File_Type;
-      Result : Unbounded_String;
-   begin
-      Open (File, In_File, Path);
-      while not End_Of_File (File) loop
-         Append (Result, Get_Line (File) & ASCII.LF);
-      end loop;
-      Close (File);
-      return To_String (Result);
-   end Text_Of;
-
    procedure Whole_Session is
       R     : Rig;
       Other : Client;
       T     : Trace;
       Jobs  : array (Thread_Number) of Natural := (others => 0);
-
+      Since : Instant;
    begin
-      Assemble (R, Camera => True, Connected => False,
+      Assemble (R, Camera => True,
                 Supervisor_Options =>
                   "--trace " & Trace_Path & " --token " & Token_File);
-      Connect (R);
       R.Monitor.Send_Line ("AUTH:" & Token);
-      Start_Robot (R, Watchdog => True);
-      R.Monitor.Expect ("RGFW", "AACK");
-      R.Monitor.Expect ("RSTP", "AACK");
-      Open_Camera (R, Positions => True);
+      Play (R, Guarded & ", RGFW AACK, RSTP AACK, " & With_Positions);
       Check (Process_Facts.Inherited (R.Supervisor.Pid) = "",
              "inherited:" & Process_Facts.Inherited (R.Supervisor.Pid));
-      R.Monitor.Expect ("CASA", "CIMG");
-      R.Monitor.Send_Line ("CACO");
-      R.Monitor.Expect ("AUTH:" & Token, "ACER");
-      R.Monitor.Expect ("RPIN", "AACK");
-      Play (R, "seen w");
+      Play (R, "CASA CIMG, send CACO, AUTH:" & Token & " ACER, RPIN AACK,"
+            & " seen w");
       if R.Monitor.Ask ("MGCM:45;33").Label = "AACK" then
          R.Monitor.Await ("MEND");
       end if;
-      R.Monitor.Expect ("CCLS", "AACK");
-      R.Monitor.Expect ("RRST", "AACK");
-      R.Monitor.Expect ("RSOW", "AACK");
-      R.Monitor.Await ("RBLV");
+      Play (R, "CCLS AACK, RRST AACK, RSOW AACK, comes RBLV");
       Other.Connect (R.Supervisor.Port);
       Other.Send_Line ("AUTH:" & Token);
-      R.Monitor.Close;
-      R.Supervisor.Expect_Log ("session closed");
-      Stop_And_Read (R, T);
+      Play (R, "close, log session closed");
+      Since := Now;
+      R.Supervisor.Expect_End;
+      Check_Within (Now - Since, 4.0, "the end, with a trace");
+      Read (Trace_Path, T);
 
       Check_Form (T);
       for Item of T.Events loop
@@ -194,8 +159,8 @@ procedure Trace_Tests is
       Check_Way (T, "RPIN", "th_openComRobot", "p");
       Check_Way (T, "RRST", "th_resetRobot", "r");
       Check_Way (T, "RSOW", "th_startRobot", "u");
-      Check
-        (Index (Text_Of (Trace_Path), Token) = 0, "the token is in the trace");
+      Check (Process_Facts.File_Line (Trace_Path, Token) = "",
+             "the token is in the trace");
    end Whole_Session;
 
    procedure After_A_Failure is
@@ -218,15 +183,14 @@ procedure Trace_Tests is
          R : Rig;
       begin
          Assemble (R, Supervisor_Options => "--trace " & Trace_Path);
-         Move_Forward (R);
+         Play (R, Forward);
          Check
            (Libc.Tgkill
               (R.Supervisor.Pid,
                Process_Facts.Thread_Named (R.Supervisor.Pid, Who),
                Libc.Sigsegv) = 0,
             "the thread cannot be signalled");
-         Check (R.Supervisor.Exit_Status = 3,
-                "exit status: " & R.Supervisor.Log_Text);
+         R.Supervisor.Expect_Exit (3);
          Read (Trace_Path, T);
          Check_Form (T);
          Check (Count_Of ("th_receiveFromMon", "in RGFW") = 1, "the movement");
@@ -240,20 +204,17 @@ procedure Trace_Tests is
    end After_A_Failure;
 
    procedure Nothing_Happened is
-      S      : Supervisors.Supervisor;
-      Reader : Child_Processes.Child;
+      S      : Supervisor;
+      Reader : Child;
       T      : Trace;
    begin
       S.Start ("--trace " & Trace_Path);
       S.Send_Signal (Libc.Sigint);
-      Check (S.Exit_Status = 0, S.Log_Text);
+      S.Expect_Exit (0);
       Read (Trace_Path, T);
-      Reader.Start
-        ("stat", Child_Processes.Words ("-c mode:%a " & Trace_Path));
-      Check
-        (Reader.Awaited
-           (Child_Processes.Output, "mode:600", Within => Patience) > 0,
-         "the trace is readable for others");
+      Reader.Launch ("stat -c mode:%a " & Trace_Path);
+      Check (Reader.Says ("mode:600", Patience, From => Output),
+             "the trace is readable for others");
       Check_Form (T);
    end Nothing_Happened;
 
@@ -288,12 +249,8 @@ procedure Trace_Tests is
       begin
          Assemble (R, Supervisor_Options => "--trace " & Path,
                    Launcher => Launcher);
-         Move_Forward (R);
-         R.Supervisor.Send_Signal (Libc.Sigterm);
-         Check (R.Supervisor.Exit_Status = 0,
-                "exit status: " & R.Supervisor.Log_Text);
-         R.Supervisor.Expect_Log ("the trace is not complete: " & Reason);
-         R.Emulator.Await_Status ("moving", "0");
+         Play (R, Forward & ", signal 15, ends 0, said the trace is not"
+               & " complete: " & Reason & ", status moving 0");
       end Fill;
 
    begin

@@ -10,15 +10,14 @@ package body Busy_Loops is
    is
       Loop_Forever : constant String := "while :; do :; done";
       Weight       : constant String := "/proc/self/autogroup";
-      Options      : Child_Processes.Arguments;
    begin
-      Options.Append ("-c");
-      Options.Append
-        (if not Yielding then Loop_Forever
-         else "exec setsid nice -n 19 sh -c '[ ! -w " & Weight & " ] ||"
-           & " echo 19 >" & Weight & "; " & Loop_Forever & "'");
       for Number in 1 .. Count loop
-         Object.Loops (Number).Start ("/bin/sh", Options, "busy loop");
+         Object.Loops (Number).Launch
+           ("sh|-c|"
+            & (if not Yielding then Loop_Forever
+               else "exec setsid nice -n 19 sh -c 'if [ -w " & Weight
+                 & " ]; then echo 19 >" & Weight & "; fi; " & Loop_Forever
+                 & "'"), '|');
       end loop;
    end Start;
 

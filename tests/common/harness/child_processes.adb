@@ -5,7 +5,6 @@ with Ada.Containers.Vectors;
 with Ada.Strings.Fixed; use Ada.Strings.Fixed;
 with Ada.Text_IO;
 with Ada.Unchecked_Deallocation;
-with Interfaces.C;      use Interfaces.C;
 with Interfaces.C.Strings; use Interfaces.C.Strings;
 
 with Expectations; use Expectations;
@@ -19,83 +18,46 @@ package body Child_Processes is
 
    protected type Line_List is
       procedure Append (Item : Line);
-      procedure Close;
-      procedure Set_Ignored (Value : Boolean);
-      function Ignored return Boolean;
       function Length return Natural;
       function Element (Number : Positive) return Line;
-      function Closed return Boolean;
    private
       Lines : Line_Vectors.Vector;
-      Ended : Boolean := False;
-      Held  : Boolean := False;
    end Line_List;
 
-   task type Collector
-     (File : int; List : not null access Line_List)
-   is
+   type Reading;
+
+   task type Collector (From : not null access Reading) is
       pragma Storage_Size (512 * 1024);
    end Collector;
-   --  Reads File to its end
+   --  Reads a stream to its end
 
    type Collector_Access is access Collector;
 
-   type Line_Lists is array (Stream) of aliased Line_List;
-   type Collectors is array (Stream) of Collector_Access;
+   type Reading is limited record
+      File    : int := -1;
+      List    : Line_List;
+      Closed  : Boolean := False with Atomic;
+      Ignored : Boolean := False with Atomic;
+      Reader  : Collector_Access;
+   end record;
 
-   type Parts is record
-      Name      : Unbounded_String;
-      Pid       : int := -1;
-      Input     : int := -1;
-      Outputs   : Libc.Pipe_Ends := (-1, -1);
-      Lists     : Line_Lists;
-      Readers   : Collectors;
-      Ended     : Boolean := False;
-      Status    : Integer := -1;
+   type Readings is array (Stream) of aliased Reading;
+
+   type Parts is limited record
+      Name    : Unbounded_String;
+      Pid     : int := -1;
+      Input   : int := -1;
+      Streams : Readings;
+      Ended   : Boolean := False;
+      Status  : Integer := -1;
    end record;
 
    procedure Free is new Ada.Unchecked_Deallocation
      (Collector, Collector_Access);
    procedure Free is new Ada.Unchecked_Deallocation (Parts, Parts_Access);
 
-   --  Programs that run, for Stop_All
-
-   package Pid_Vectors is new Ada.Containers.Vectors (Positive, int);
-
-   protected Running is
-      procedure Add (Pid : int);
-      procedure Remove (Pid : int);
-      procedure Kill_All;
-   private
-      Pids : Pid_Vectors.Vector;
-   end Running;
-
    Last_Lines : Arguments;
-
-   protected body Running is
-
-      procedure Add (Pid : int) is
-      begin
-         Pids.Append (Pid);
-      end Add;
-
-      procedure Remove (Pid : int) is
-         Place : constant Natural := Pids.Find_Index (Pid);
-      begin
-         if Place /= Pid_Vectors.No_Index then
-            Pids.Delete (Place);
-         end if;
-      end Remove;
-
-      procedure Kill_All is
-         Unused : int;
-      begin
-         for Pid of Pids loop
-            Unused := Libc.Kill (Pid, Libc.Sigkill);
-         end loop;
-      end Kill_All;
-
-   end Running;
+   Kept_Lines : constant := 150;
 
    protected body Line_List is
 
@@ -104,24 +66,10 @@ package body Child_Processes is
          Lines.Append (Item);
       end Append;
 
-      procedure Close is
-      begin
-         Ended := True;
-      end Close;
-
-      procedure Set_Ignored (Value : Boolean) is
-      begin
-         Held := Value;
-      end Set_Ignored;
-
-      function Ignored return Boolean is (Held);
-
       function Length return Natural is (Natural (Lines.Length));
 
       function Element (Number : Positive) return Line is
         (Lines.Element (Number));
-
-      function Closed return Boolean is (Ended);
 
    end Line_List;
 
@@ -131,10 +79,10 @@ package body Child_Processes is
       Last   : long;
    begin
       loop
-         while List.Ignored loop
+         while From.Ignored loop
             delay 0.01;
          end loop;
-         Last := Libc.Read (File, Buffer'Address, Buffer'Length);
+         Last := Libc.Read (From.File, Buffer'Address, Buffer'Length);
          exit when Last <= 0;
          declare
             Time  : constant Instant := Now;
@@ -142,7 +90,8 @@ package body Child_Processes is
          begin
             for Place in 1 .. Natural (Last) loop
                if Buffer (Place) = ASCII.LF then
-                  List.Append ((Time, Rest & Buffer (First .. Place - 1)));
+                  From.List.Append
+                    ((Time, Rest & Buffer (First .. Place - 1)));
                   Rest := Null_Unbounded_String;
                   First := Place + 1;
                end if;
@@ -151,12 +100,12 @@ package body Child_Processes is
          end;
       end loop;
       if Length (Rest) > 0 then
-         List.Append ((Now, Rest));
+         From.List.Append ((Now, Rest));
       end if;
-      List.Close;
+      From.Closed := True;
    exception
       when others =>
-         List.Close;
+         From.Closed := True;
    end Collector;
 
    function Words
@@ -177,22 +126,19 @@ package body Child_Processes is
       return Result;
    end Words;
 
-   procedure Start
-     (Object    : in out Child;
-      Program   : String;
-      Options   : Arguments := String_Vectors.Empty_Vector;
-      Name      : String := "")
+   procedure Launch
+     (Object  : in out Child;
+      Program : String;
+      Options : Arguments;
+      Name    : String := "")
    is
-      Count   : constant Natural := Natural (Options.Length);
-      Vector  : Libc.Argument_Vector (0 .. Count + 1) := (others => Null_Ptr);
-      Input   : Libc.Pipe_Ends;
-      Output  : Libc.Pipe_Ends;
-      Errors  : Libc.Pipe_Ends;
-      Empty   : aliased Libc.Signal_Set;
-      Pid     : int;
+      Count  : constant Natural := Natural (Options.Length);
+      Vector : Libc.Argument_Vector (0 .. Count + 1) := (others => Null_Ptr);
+      Pipes  : array (0 .. 2) of Libc.Pipe_Ends;
+      Empty  : aliased Libc.Signal_Set;
+      Pid    : int;
       Unused_Action : System.Address;
    begin
-      Object.Stop;
       Object.Finalize;
       Object.Inner := new Parts;
       Object.Inner.Name := To_Unbounded_String
@@ -202,11 +148,9 @@ package body Child_Processes is
       for Number in 1 .. Count loop
          Vector (Number) := New_String (Options.Element (Number));
       end loop;
-
-      Check (Libc.Pipe2 (Input, Libc.O_Cloexec) = 0
-             and then Libc.Pipe2 (Output, Libc.O_Cloexec) = 0
-             and then Libc.Pipe2 (Errors, Libc.O_Cloexec) = 0,
-             "no pipe to be had");
+      for Pipe of Pipes loop
+         Check (Libc.Pipe2 (Pipe, Libc.O_Cloexec) = 0, "no pipe to be had");
+      end loop;
       Libc.Sigemptyset (Empty'Access);
 
       Pid := Libc.Fork;
@@ -219,9 +163,9 @@ package body Child_Processes is
          Unused_Action := Libc.Signal (Libc.Sigpipe, Libc.Default_Action);
          --  which nohup ignores, and so would the supervisor
          Unused_Action := Libc.Signal (Libc.Sighup, Libc.Default_Action);
-         Libc.Dup2 (Input (0), 0);
-         Libc.Dup2 (Output (1), 1);
-         Libc.Dup2 (Errors (1), 2);
+         Libc.Dup2 (Pipes (0) (0), 0);
+         Libc.Dup2 (Pipes (1) (1), 1);
+         Libc.Dup2 (Pipes (2) (1), 2);
          Libc.Execv (Vector (0), Vector);
          Libc.Exit_Now (127);
       end if;
@@ -229,31 +173,48 @@ package body Child_Processes is
       for Word of Vector loop
          Free (Word);
       end loop;
-      Libc.Close (Input (0));
-      Libc.Close (Output (1));
-      Libc.Close (Errors (1));
+      Libc.Close (Pipes (0) (0));
+      Libc.Close (Pipes (1) (1));
+      Libc.Close (Pipes (2) (1));
       if Pid < 0 then
-         Libc.Close (Input (1));
-         Libc.Close (Output (0));
-         Libc.Close (Errors (0));
+         Libc.Close (Pipes (0) (1));
+         Libc.Close (Pipes (1) (0));
+         Libc.Close (Pipes (2) (0));
          Free (Object.Inner);
          raise Failed with "cannot start " & Program;
       end if;
 
-      Running.Add (Pid);
       Object.Inner.Pid := Pid;
-      Object.Inner.Input := Input (1);
-      Object.Inner.Outputs := (Output (0), Errors (0));
-      Object.Inner.Readers :=
-        (Child_Processes.Output =>
-           new Collector
-             (Output (0),
-              Object.Inner.Lists (Child_Processes.Output)'Unchecked_Access),
-         Child_Processes.Errors =>
-           new Collector
-             (Errors (0),
-              Object.Inner.Lists (Child_Processes.Errors)'Unchecked_Access));
-   end Start;
+      Object.Inner.Input := Pipes (0) (1);
+      for From in Stream loop
+         declare
+            Item : Reading renames Object.Inner.Streams (From);
+         begin
+            Item.File := Pipes (Stream'Pos (From) + 1) (0);
+            Item.Reader := new Collector
+              (Object.Inner.Streams (From)'Unchecked_Access);
+         end;
+      end loop;
+   end Launch;
+
+   procedure Launch
+     (Object : in out Child; Command : String; Separator : Character := ' ')
+   is
+      Options : Arguments := Words (Command, Separator);
+      Program : constant String := Options.First_Element;
+   begin
+      Options.Delete_First;
+      Object.Launch (Program, Options);
+   end Launch;
+
+   function Status_Of
+     (Command : String; Separator : Character := ' ') return Integer
+   is
+      Tool : Child;
+   begin
+      Tool.Launch (Command, Separator);
+      return Tool.Exit_Status;
+   end Status_Of;
 
    function Pid (Object : Child) return int is
      (if Object.Inner = null then -1 else Object.Inner.Pid);
@@ -273,7 +234,6 @@ package body Child_Processes is
             then Integer (Status / 256) mod 256
             else 128 + Integer (Status mod 128));
          Object.Inner.Ended := True;
-         Running.Remove (Object.Inner.Pid);
          return False;
       end if;
       return True;
@@ -298,18 +258,27 @@ package body Child_Processes is
 
    procedure Close_Input (Object : in out Child) is
    begin
-      if Object.Inner /= null and then Object.Inner.Input >= 0 then
+      if Object.Inner.Input >= 0 then
          Libc.Close (Object.Inner.Input);
          Object.Inner.Input := -1;
       end if;
    end Close_Input;
 
-   function Count (Object : Child; From : Stream) return Natural is
-     (Object.Inner.Lists (From).Length);
+   function Count (Object : Child; From : Stream := Errors) return Natural is
+     (Object.Inner.Streams (From).List.Length);
 
    function Element
      (Object : Child; From : Stream; Number : Positive) return Line
-   is (Object.Inner.Lists (From).Element (Number));
+   is (Object.Inner.Streams (From).List.Element (Number));
+
+   function Text (Object : Child; From : Stream := Errors) return String is
+      Result : Unbounded_String;
+   begin
+      for Number in 1 .. Object.Count (From) loop
+         Append (Result, Object.Element (From, Number).Text & ASCII.LF);
+      end loop;
+      return To_String (Result);
+   end Text;
 
    function Awaited
      (Object  : Child;
@@ -324,12 +293,12 @@ package body Child_Processes is
       loop
          declare
             Late   : constant Boolean := Now >= Deadline;
-            Closed : constant Boolean := Object.Inner.Lists (From).Closed;
+            Closed : constant Boolean := Object.Inner.Streams (From).Closed;
          begin
-            while Seen < Object.Inner.Lists (From).Length loop
+            while Seen < Object.Count (From) loop
                Seen := Seen + 1;
-               if Pattern = "" or else Index
-                 (Object.Inner.Lists (From).Element (Seen).Text, Pattern) > 0
+               if Pattern = ""
+                 or else Index (Object.Element (From, Seen).Text, Pattern) > 0
                then
                   return Seen;
                end if;
@@ -342,10 +311,21 @@ package body Child_Processes is
       end loop;
    end Awaited;
 
-   procedure Ignore (Object : in out Child; From : Stream) is
+   procedure Ignore_Errors (Object : in out Child) is
    begin
-      Object.Inner.Lists (From).Set_Ignored (True);
-   end Ignore;
+      Object.Inner.Streams (Errors).Ignored := True;
+   end Ignore_Errors;
+
+   procedure Await_Readers (Inner : Parts_Access; Milliseconds : Positive) is
+      --  With a limit, as a grandchild may hold the pipe
+   begin
+      for Item of Inner.Streams loop
+         for Attempt in 1 .. Milliseconds loop
+            exit when Item.Reader'Terminated or else Item.Ignored;
+            delay 0.001;
+         end loop;
+      end loop;
+   end Await_Readers;
 
    function Exit_Status (Object : in out Child) return Integer is
       Deadline : constant Instant := Now + Patience;
@@ -358,48 +338,34 @@ package body Child_Processes is
          end if;
          delay 0.001;
       end loop;
-      --  Its last output is still being read; with a limit, as a grandchild
-      --  may hold the pipe
-      for From in Stream loop
-         for Attempt in 1 .. 5_000 loop
-            exit when Object.Inner.Readers (From)'Terminated
-              or else Object.Inner.Lists (From).Ignored;
-            delay 0.001;
-         end loop;
-      end loop;
+      --  Its last output is still being read
+      Await_Readers (Object.Inner, 5_000);
       return Object.Inner.Status;
    end Exit_Status;
+
+   procedure Expect_Exit (Object : in out Child; Status : Integer) is
+      Seen : constant Integer := Object.Exit_Status;
+   begin
+      Check (Seen = Status,
+             To_String (Object.Inner.Name) & ": exit status" & Seen'Image
+             & " instead of" & Status'Image & ": " & Object.Text (Output)
+             & Object.Text (Errors));
+   end Expect_Exit;
 
    procedure Stop (Object : in out Child) is
       Unused_Status : Integer;
       Unused        : int;
    begin
-      if Object.Inner /= null and then Object.Is_Running then
+      if Object.Is_Running then
          Unused := Libc.Kill (Object.Inner.Pid, Libc.Sigkill);
          Unused_Status := Object.Exit_Status;
       end if;
    end Stop;
 
-   procedure Finalize (Object : in out Child) is
-      Kept   : constant array (Stream) of Positive :=
+   procedure Keep_Last_Lines (Object : Child) is
+      Most : constant array (Stream) of Positive :=
         (Output => 4, Errors => 40);
    begin
-      if Object.Inner = null then
-         return;
-      end if;
-      Object.Stop;
-      Object.Close_Input;
-      for From in Stream loop
-         Object.Inner.Lists (From).Set_Ignored (False);
-         --  A grandchild may still hold the pipe: limited wait
-         for Attempt in 1 .. 1000 loop
-            exit when Object.Inner.Readers (From)'Terminated;
-            delay 0.001;
-         end loop;
-         if Object.Inner.Readers (From)'Terminated then
-            Libc.Close (Object.Inner.Outputs (Stream'Pos (From)));
-         end if;
-      end loop;
       for From in Stream loop
          if Object.Count (From) > 0 then
             Last_Lines.Append ("--- " & To_String (Object.Inner.Name) & ", "
@@ -407,31 +373,46 @@ package body Child_Processes is
                                & Integer'Image (Object.Inner.Status));
          end if;
          for Number in
-           Integer'Max (1, Object.Count (From) - Kept (From) + 1)
+           Integer'Max (1, Object.Count (From) - Most (From) + 1)
            .. Object.Count (From)
          loop
-            declare
-               Text : constant String :=
-                 To_String (Object.Element (From, Number).Text);
-            begin
-               Last_Lines.Append (Text (1 .. Integer'Min (Text'Length, 200)));
-            end;
+            Last_Lines.Append
+              (Head (To_String (Object.Element (From, Number).Text),
+                     Integer'Min
+                       (Length (Object.Element (From, Number).Text), 200)));
          end loop;
       end loop;
-      if (for all Reader of Object.Inner.Readers => Reader'Terminated) then
-         for Reader of Object.Inner.Readers loop
-            Free (Reader);
+      while Last_Lines.Last_Index > Kept_Lines loop
+         Last_Lines.Delete_First;
+      end loop;
+   end Keep_Last_Lines;
+
+   procedure Finalize (Object : in out Child) is
+   begin
+      if Object.Inner = null then
+         return;
+      end if;
+      Object.Stop;
+      Object.Close_Input;
+      for Item of Object.Inner.Streams loop
+         Item.Ignored := False;
+      end loop;
+      Await_Readers (Object.Inner, 1_000);
+      Keep_Last_Lines (Object);
+      for Item of Object.Inner.Streams loop
+         if Item.Reader'Terminated then
+            Libc.Close (Item.File);
+         end if;
+      end loop;
+      if (for all Item of Object.Inner.Streams => Item.Reader'Terminated) then
+         for Item of Object.Inner.Streams loop
+            Free (Item.Reader);
          end loop;
          Free (Object.Inner);
       else
          Object.Inner := null;
       end if;
    end Finalize;
-
-   procedure Stop_All is
-   begin
-      Running.Kill_All;
-   end Stop_All;
 
    procedure Print_Last_Lines is
    begin
@@ -440,10 +421,5 @@ package body Child_Processes is
       end loop;
       Ada.Text_IO.Flush;
    end Print_Last_Lines;
-
-   procedure Forget_Last_Lines is
-   begin
-      Last_Lines.Clear;
-   end Forget_Last_Lines;
 
 end Child_Processes;

@@ -6,8 +6,8 @@ with Ada.Containers.Indefinite_Vectors;
 private with Ada.Finalization;
 with Ada.Strings.Unbounded; use Ada.Strings.Unbounded;
 
-with Instants;   use Instants;
-with Interfaces.C;
+with Instants;              use Instants;
+with Interfaces.C;          use Interfaces.C;
 
 package Child_Processes is
 
@@ -31,31 +31,43 @@ package Child_Processes is
    type Child is tagged limited private;
    --  Killed at the end of its scope
 
-   procedure Start
-     (Object    : in out Child;
-      Program   : String;
-      Options   : Arguments := String_Vectors.Empty_Vector;
-      Name      : String := "");
+   procedure Launch
+     (Object  : in out Child;
+      Program : String;
+      Options : Arguments;
+      Name    : String := "");
    --  Runs Program (searched in PATH unless it has a slash). Name is used in
    --  messages. To be called by the environment task: the kernel ends the
    --  program with the thread that started it.
 
-   function Pid (Object : Child) return Interfaces.C.int;
+   procedure Launch
+     (Object : in out Child; Command : String; Separator : Character := ' ');
+   --  The same; Command has the program, which is also the name, and its
+   --  options
+
+   function Status_Of
+     (Command : String; Separator : Character := ' ') return Integer;
+   --  Runs it to its end: its exit status
+
+   function Pid (Object : Child) return int;
 
    function Is_Running (Object : in out Child) return Boolean;
 
-   procedure Send_Signal (Object : Child; Signal : Interfaces.C.int);
+   procedure Send_Signal (Object : Child; Signal : int);
 
    procedure Put_Line (Object : Child; Text : String);
    --  Writes to the program's standard input
 
    procedure Close_Input (Object : in out Child);
 
-   function Count (Object : Child; From : Stream) return Natural;
+   function Count (Object : Child; From : Stream := Errors) return Natural;
    --  Number of lines so far
 
    function Element
      (Object : Child; From : Stream; Number : Positive) return Line;
+
+   function Text (Object : Child; From : Stream := Errors) return String;
+   --  All lines so far
 
    function Awaited
      (Object  : Child;
@@ -66,25 +78,31 @@ package Child_Processes is
    --  Number of the first line after number After that contains Pattern; waits
    --  for it Within seconds; 0 if it did not come
 
-   procedure Ignore (Object : in out Child; From : Stream);
-   --  Stops reading its output while it runs: a program whose reader has
-   --  stopped
+   function Says
+     (Object  : Child;
+      Pattern : String;
+      Within  : Duration := 0.0;
+      After   : Natural  := 0;
+      From    : Stream   := Errors) return Boolean
+   is (Object.Awaited (From, Pattern, Within, After) > 0);
+   --  Whether such a line came
+
+   procedure Ignore_Errors (Object : in out Child);
+   --  Stops reading standard error while it runs, so that its pipe fills up
 
    function Exit_Status (Object : in out Child) return Integer;
    --  Waits for the end: the exit status, or 128 + signal. Raises Failed if it
    --  does not end
 
+   procedure Expect_Exit (Object : in out Child; Status : Integer);
+   --  The same; raises Failed unless it is Status
+
    procedure Stop (Object : in out Child);
    --  Kills it if it still runs, and waits for its end
 
-   procedure Stop_All;
-   --  The same for all programs still running: for an abort
-
    procedure Print_Last_Lines;
-   --  Prints the last output of the programs stopped since Forget_Last_Lines,
-   --  for the report of a failed test
-
-   procedure Forget_Last_Lines;
+   --  Prints the last output of the programs stopped last, for the report of a
+   --  failed test
 
 private
 

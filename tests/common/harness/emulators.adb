@@ -8,6 +8,7 @@ with Ada.Streams.Stream_IO;
 with GNAT.Sockets;      use GNAT.Sockets;
 
 with Expectations;      use Expectations;
+with Plain_Numbers;     use Plain_Numbers;
 with Programs;
 
 package body Emulators is
@@ -19,11 +20,10 @@ package body Emulators is
       --  Of its output; raises Failed when it stays silent
    begin
       Check
-        (Object.Process.Awaited
-           (Output, "", Patience, After => Object.Seen) > 0,
+        (Object.Says ("", Patience, After => Object.Seen, From => Output),
          "the emulator does not answer");
       Object.Seen := Object.Seen + 1;
-      return To_String (Object.Process.Element (Output, Object.Seen).Text);
+      return To_String (Object.Element (Output, Object.Seen).Text);
    end Next_Line;
 
    function Value (Line : String; Key : String) return String is
@@ -58,9 +58,9 @@ package body Emulators is
    begin
       Made := Made + 1;
       Object.Seen := 0;
-      Object.Link := To_Unbounded_String (Programs.Temporary_Folder & "/robot"
-                                          & Trim (Natural'Image (Made), Both));
-      Object.Process.Start
+      Object.Link := To_Unbounded_String
+        (Programs.Temporary_Folder & "/robot" & Image (Made));
+      Object.Launch
         (Programs.Emulator,
          Words
            ("--boot-ms 100 "
@@ -73,13 +73,9 @@ package body Emulators is
       Check (Index (Next_Line (Object), "device ") = 1,
              "the emulator names no device");
       if Camera then
-         declare
-            Line : constant String := Next_Line (Object);
-         begin
-            Check (Index (Line, Address) = 1, "the emulator has no camera");
-            Object.Url := To_Unbounded_String
-              (Line (Address'Length + 1 .. Line'Last));
-         end;
+         Object.Url := To_Unbounded_String (Next_Line (Object));
+         Check (Index (Object.Url, Address) = 1, "the emulator has no camera");
+         Delete (Object.Url, 1, Address'Length);
       end if;
       if Index (Options, "--boot-ms") = 0 then
          Object.Await_Status ("state", "idle");
@@ -94,7 +90,7 @@ package body Emulators is
 
    procedure Tell (Object : in out Emulator; Command : String) is
    begin
-      Object.Process.Put_Line (Command);
+      Object.Put_Line (Command);
       declare
          Line : constant String := Next_Line (Object);
       begin
@@ -105,12 +101,13 @@ package body Emulators is
 
    function Status (Object : in out Emulator; Key : String) return String is
    begin
-      Object.Process.Put_Line ("status");
+      Object.Put_Line ("status");
       declare
          Line : constant String := Next_Line (Object);
       begin
-         Check (Value (Line, Key) /= "", "no " & Key & " in status: " & Line);
-         return Value (Line, Key);
+         return Seen : constant String := Value (Line, Key) do
+            Check (Seen /= "", "no " & Key & " in status: " & Line);
+         end return;
       end;
    end Status;
 
@@ -143,7 +140,7 @@ package body Emulators is
    function Journal (Object : in out Emulator) return Notes is
       Result : Notes;
    begin
-      Object.Process.Put_Line ("journal");
+      Object.Put_Line ("journal");
       loop
          declare
             Line : constant String := Next_Line (Object);
@@ -218,18 +215,12 @@ package body Emulators is
       end loop;
    end Await_On_Wire;
 
-   function Port (Object : Emulator) return Port_Type is
-      --  Of its camera
-      Url   : constant String := To_String (Object.Url);
-      First : constant Positive := Index (Url, ":", Backward) + 1;
-   begin
-      return Port_Type'Value (Url (First .. Index (Url, "/", First) - 1));
-   end Port;
-
    function Fetched (Object : Emulator; Path : String)
       return Stream_Element_Array
    is
       --  The body of the camera's answer
+      Url     : constant String := To_String (Object.Url);
+      First   : constant Positive := Index (Url, ":", Backward) + 1;
       Room    : constant := 1_000_000;
       Buffer  : Stream_Element_Array (1 .. Room);
       Request : constant String :=
@@ -244,7 +235,9 @@ package body Emulators is
       Create_Socket (Socket);
       Set_Socket_Option (Socket, Socket_Level, (Receive_Timeout, Patience));
       Connect_Socket
-        (Socket, (Family_Inet, Loopback_Inet_Addr, Port (Object)));
+        (Socket,
+         (Family_Inet, Loopback_Inet_Addr,
+          Port_Type'Value (Url (First .. Index (Url, "/", First) - 1))));
       Send_Socket (Socket, Bytes, Last);
       loop
          Receive_Socket (Socket, Buffer (Used + 1 .. Room), Last);
@@ -287,15 +280,5 @@ package body Emulators is
       Write (File, Fetched (Object, "/snapshot.jpg"));
       Close (File);
    end Save_Snapshot;
-
-   procedure Send_Signal (Object : Emulator; Signal : Interfaces.C.int) is
-   begin
-      Object.Process.Send_Signal (Signal);
-   end Send_Signal;
-
-   procedure Stop (Object : in out Emulator) is
-   begin
-      Object.Process.Stop;
-   end Stop;
 
 end Emulators;

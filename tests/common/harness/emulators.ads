@@ -7,11 +7,10 @@ with Ada.Strings.Unbounded; use Ada.Strings.Unbounded;
 
 with Child_Processes;       use Child_Processes;
 with Instants;              use Instants;
-with Interfaces.C;
 
 package Emulators is
 
-   type Emulator is tagged limited private;
+   type Emulator is new Child with private;
    --  Killed at the end of its scope
 
    procedure Start
@@ -95,18 +94,13 @@ package Emulators is
    procedure Save_Snapshot (Object : Emulator; Path : String);
    --  Saves an image of the camera to a file
 
-   procedure Send_Signal (Object : Emulator; Signal : Interfaces.C.int);
-
-   procedure Stop (Object : in out Emulator);
-
 private
 
-   type Emulator is tagged limited record
-      Process : Child;
-      Seen    : Natural := 0;
+   type Emulator is new Child with record
+      Seen : Natural := 0;
       --  output lines that have been taken
-      Link    : Unbounded_String;
-      Url     : Unbounded_String;
+      Link : Unbounded_String;
+      Url  : Unbounded_String;
    end record;
 
 end Emulators;

@@ -22,13 +22,10 @@ package body Floods is
 
    procedure Say (Socket : Socket_Type; Text : String) is
       --  Where it is connected
-      Data : Stream_Element_Array (1 .. Text'Length);
+      Data : Stream_Element_Array (1 .. Text'Length)
+        with Import, Address => Text'Address;
       Last : Stream_Element_Offset;
    begin
-      for I in Text'Range loop
-         Data (Stream_Element_Offset (I - Text'First + 1)) :=
-           Character'Pos (Text (I));
-      end loop;
       Send_Socket (Socket, Data, Last);
    exception
       when Socket_Error =>
@@ -81,30 +78,12 @@ package body Floods is
       end if;
    end Disconnect;
 
-   procedure Go (Object : in out Crowd) is
+   overriding procedure Finalize (Object : in out Crowd) is
    begin
       for Socket of Object.Sockets loop
          Disconnect (Socket);
       end loop;
-   end Go;
-
-   protected body Progress is
-
-      procedure Count_One is
-      begin
-         Counted := Counted + 1;
-      end Count_One;
-
-      procedure Finish is
-      begin
-         Over := True;
-      end Finish;
-
-      function Count return Natural is (Counted);
-
-      function Is_Over return Boolean is (Over);
-
-   end Progress;
+   end Finalize;
 
    task body Sender is
       Own     : constant Sock_Addr_Type :=
@@ -124,7 +103,7 @@ package body Floods is
       begin
          for Index in Files'Range loop
             if Files (Index).Returned /= 0 then
-               Seen.Count_One;
+               Seen.Served := Seen.Served + 1;
                Disconnect (Sockets (Index));
                Connect (Index);
             end if;
@@ -137,7 +116,7 @@ package body Floods is
             Connect (Index);
          end loop;
       end if;
-      while not Seen.Is_Over loop
+      while not Seen.Over loop
          case How is
             when Patient =>
                Polls.Wait (Files, 0.1);
@@ -169,15 +148,25 @@ package body Floods is
    begin
       for Number in Object.Tasks'Range loop
          Object.Tasks (Number) :=
-           new Sender (Number, Port, How, Object.Seen'Unchecked_Access);
+           new Sender
+             (Number, Port, How, Object.Seen (Number)'Unchecked_Access);
       end loop;
    end Start;
 
-   function Served (Object : Flood) return Natural is (Object.Seen.Count);
+   function Served (Object : Flood) return Natural is
+   begin
+      return Sum : Natural := 0 do
+         for Part of Object.Seen loop
+            Sum := Sum + Part.Served;
+         end loop;
+      end return;
+   end Served;
 
    procedure Stop (Object : in out Flood) is
    begin
-      Object.Seen.Finish;
+      for Part of Object.Seen loop
+         Part.Over := True;
+      end loop;
       for Item of Object.Tasks loop
          if Item /= null then
             while not Item'Terminated loop

@@ -36,23 +36,12 @@ package Floods is
    --  Connections with noise, from the address Own: half of them stay open,
    --  the others are closed at once
 
-   procedure Go (Object : in out Crowd);
-
 private
 
-   type Sender;
-   type Sender_Access is access Sender;
-   type Sender_Array is array (1 .. Senders) of Sender_Access;
-
-   protected type Progress is
-      procedure Count_One;
-      procedure Finish;
-      function Count return Natural;
-      function Is_Over return Boolean;
-   private
-      Counted : Natural := 0;
-      Over    : Boolean := False;
-   end Progress;
+   type Progress is limited record
+      Served : Natural := 0 with Atomic;
+      Over   : Boolean := False with Atomic;
+   end record;
 
    task type Sender
      (Number : Positive;
@@ -63,8 +52,13 @@ private
       pragma Storage_Size (512 * 1024);
    end Sender;
 
+   type Sender_Access is access Sender;
+
+   type Progress_Array is array (1 .. Senders) of aliased Progress;
+   type Sender_Array is array (1 .. Senders) of Sender_Access;
+
    type Flood is new Ada.Finalization.Limited_Controlled with record
-      Seen  : aliased Progress;
+      Seen  : Progress_Array;
       Tasks : Sender_Array;
    end record;
 
@@ -78,6 +72,6 @@ private
         (others => GNAT.Sockets.No_Socket);
    end record;
 
-   overriding procedure Finalize (Object : in out Crowd) renames Go;
+   overriding procedure Finalize (Object : in out Crowd);
 
 end Floods;

@@ -7,6 +7,7 @@ with Ada.Numerics.Float_Random;
 with Ada.Streams;           use Ada.Streams;
 with Ada.Strings;           use Ada.Strings;
 with Ada.Strings.Fixed;     use Ada.Strings.Fixed;
+with Ada.Strings.Maps;      use Ada.Strings.Maps;
 with Ada.Unchecked_Deallocation;
 with GNAT.Sockets;          use GNAT.Sockets;
 with Interfaces.C;          use Interfaces.C;
@@ -18,10 +19,8 @@ with Polls;
 
 package body Monitor_Clients is
 
-   Shown_Data : constant := 200;
-   --  as much of an image's text is kept with its message
-
-   Answers : constant String := "AACK ANAK ACRJ ATIM ACER";
+   Kept_Images : constant := 100;
+   --  the newest, whole
 
    package Message_Vectors is new Ada.Containers.Vectors
      (Positive, Message);
@@ -34,79 +33,57 @@ package body Monitor_Clients is
    package Image_Vectors is new Ada.Containers.Vectors
      (Positive, Kept_Image);
 
-   type Manner is record
-      Paused      : Boolean  := False;
-      Rate        : Natural  := 0;
-      Late_Each   : Boolean  := False;
-      Least, Most : Duration := 0.0;
-      Leaving     : Boolean  := False;
-   end record;
-   --  Of reading: see Pause, Limit_Reading, Be_Late. The client sets it, its
-   --  receiver follows
-
    protected type Inbox is
       procedure Add (Item : Message; Image : Unbounded_String);
-      procedure Ended (How : Closing);
-      procedure Keep_Images (Count : Positive);
-      procedure Set_Manner (Value : Manner);
       function Count return Natural;
       function Element (Number : Positive) return Message;
-      function State return Closing;
       function Image (Number : Natural) return String;
       function Broken_Images return Natural;
-      function Manner_Now return Manner;
    private
-      Messages  : Message_Vectors.Vector;
-      Images    : Image_Vectors.Vector;
-      Kept      : Positive := 1;
-      Broken    : Natural := 0;
-      End_State : Closing := Open;
-      Now_So    : Manner;
+      Messages : Message_Vectors.Vector;
+      Images   : Image_Vectors.Vector;
+      Broken   : Natural := 0;
    end Inbox;
 
-   task type Receiver
-     (Box       : not null access Inbox;
-      Socket    : not null access Socket_Type;
-      Real_Time : Boolean)
-   is
+   task type Receiver (Object : not null access Parts; Real_Time : Boolean) is
       pragma Storage_Size (1024 * 1024);
    end Receiver;
 
    type Receiver_Access is access Receiver;
 
-   type Parts is record
-      Socket : aliased Socket_Type := No_Socket;
-      Box    : aliased Inbox;
+   type Parts is limited record
+      Socket : Socket_Type := No_Socket;
+      Box    : Inbox;
+      State  : Closing := Open with Atomic;
       Reader : Receiver_Access;
       Taken  : Natural := 0;
-      How    : Manner;
+
+      --  What the receiver is to do: see Pause, Limit_Reading, Be_Late
+      Paused      : Boolean  := False with Atomic;
+      Rate        : Natural  := 0 with Atomic;
+      Late_Each   : Boolean  := False with Atomic;
+      Least, Most : Duration := 0.0 with Atomic;
+      Leaving     : Boolean  := False with Atomic;
    end record;
 
    procedure Free is new Ada.Unchecked_Deallocation
      (Receiver, Receiver_Access);
    procedure Free is new Ada.Unchecked_Deallocation (Parts, Parts_Access);
 
+   Base64_Digits : constant Character_Set := To_Set
+     (Character_Ranges'(('A', 'Z'), ('a', 'z'), ('0', '9'), ('+', '+'),
+                        ('/', '/')));
+
    function Is_Jpeg_Text (Text : Unbounded_String) return Boolean is
-      --  Base64 alphabet, whole groups of four, a JPEG's first bytes
-      Size : constant Natural := Length (Text);
+      --  Base64, whole groups of four, a JPEG's first bytes
+      Size    : constant Natural := Length (Text);
+      Padding : constant Natural :=
+        Index (Text, Base64_Digits, Test => Outside);
    begin
-      if Size < 16 or else Size mod 4 /= 0 or else Slice (Text, 1, 3) /= "/9j"
-      then
-         return False;
-      end if;
-      for Place in 1 .. Size loop
-         case Element (Text, Place) is
-            when 'A' .. 'Z' | 'a' .. 'z' | '0' .. '9' | '+' | '/' =>
-               null;
-            when '=' =>
-               if Place < Size - 1 then
-                  return False;
-               end if;
-            when others =>
-               return False;
-         end case;
-      end loop;
-      return True;
+      return Size >= 16 and then Size mod 4 = 0
+        and then Slice (Text, 1, 3) = "/9j"
+        and then (Padding = 0
+                  or else Slice (Text, Padding, Size) in "=" | "==");
    end Is_Jpeg_Text;
 
    protected body Inbox is
@@ -120,34 +97,17 @@ package body Monitor_Clients is
             if not Is_Jpeg_Text (Image) then
                Broken := Broken + 1;
             end if;
-            while Natural (Images.Length) >= Kept loop
-               Images.Delete_First;
-            end loop;
             Images.Append ((Numbered.Number, Image));
+            if Images.Last_Index > Kept_Images then
+               Images.Delete_First;
+            end if;
          end if;
       end Add;
-
-      procedure Ended (How : Closing) is
-      begin
-         End_State := How;
-      end Ended;
-
-      procedure Keep_Images (Count : Positive) is
-      begin
-         Kept := Count;
-      end Keep_Images;
-
-      procedure Set_Manner (Value : Manner) is
-      begin
-         Now_So := Value;
-      end Set_Manner;
 
       function Count return Natural is (Natural (Messages.Length));
 
       function Element (Number : Positive) return Message is
         (Messages.Element (Number));
-
-      function State return Closing is (End_State);
 
       function Image (Number : Natural) return String is
       begin
@@ -165,8 +125,6 @@ package body Monitor_Clients is
 
       function Broken_Images return Natural is (Broken);
 
-      function Manner_Now return Manner is (Now_So);
-
    end Inbox;
 
    task body Receiver is
@@ -177,39 +135,31 @@ package body Monitor_Clients is
       Group  : Positive := 1;
       Late   : Duration := 0.0;
       Chance : Ada.Numerics.Float_Random.Generator;
-      How    : Manner;
 
       procedure Be_Late is
          Start : constant Instant := Now;
       begin
-         if How.Most > 0.0 then
-            delay How.Least
-              + (How.Most - How.Least)
+         if Object.Most > 0.0 then
+            delay Object.Least
+              + (Object.Most - Object.Least)
               * Duration (Ada.Numerics.Float_Random.Random (Chance));
          end if;
          Late := Now - Start;
       end Be_Late;
 
       procedure Take (Text : Unbounded_String; Time : Instant) is
-         Item  : Message;
-         Image : Unbounded_String;
+         Label : constant Message_Label := To_String (Head (Text, 4));
+         Data  : constant Unbounded_String := Tail
+           (Text, Natural'Max (0, Length (Text) - 5));
       begin
-         Item.Time := Time;
-         Item.Group := Group;
-         Item.Late := Late;
-         Item.Size := Length (Text);
-         Move (Slice (Text, 1, Natural'Min (4, Length (Text))), Item.Label,
-               Drop => Right);
-         if Length (Text) > 5 then
-            if Item.Label = "CIMG" then
-               Image := Unbounded_Slice (Text, 6, Length (Text));
-               Item.Data := Unbounded_Slice
-                 (Text, 6, Natural'Min (Length (Text), Shown_Data));
-            else
-               Item.Data := Unbounded_Slice (Text, 6, Length (Text));
-            end if;
-         end if;
-         Box.Add (Item, Image);
+         Object.Box.Add
+           ((Number => 0, Time => Time, Group => Group, Late => Late,
+             Label  => Label,
+             Data   => (if Label = "CIMG"
+                        then Head (Data, Natural'Min (Length (Data), 200))
+                        else Data),
+             Size   => Length (Text)),
+            Image => Data);
       end Take;
 
    begin
@@ -218,65 +168,57 @@ package body Monitor_Clients is
          Own_Process.Prefer_Real_Time (True);
       end if;
 
-      Reading : loop
-         declare
-            Ready : Boolean := False;
-         begin
-            How := Box.Manner_Now;
-            exit Reading when How.Leaving;
-            if How.Paused then
-               delay 0.005;
-            else
-               Ready := Polls.Is_Readable (int (To_C (Socket.all)), 0.02);
+      while not Object.Leaving loop
+         if Object.Paused then
+            delay 0.005;
+         elsif Polls.Is_Readable (int (To_C (Object.Socket)), 0.02)
+           and then not Object.Paused and then not Object.Leaving
+         then
+            Most := Buffer'Last;
+            if Object.Rate > 0 then
+               Most := Stream_Element_Offset'Min
+                 (Most, Stream_Element_Offset (Object.Rate) / 50 + 1);
+               delay Duration (Most) / Object.Rate;
             end if;
-            How := Box.Manner_Now;
-            if Ready and then not How.Paused and then not How.Leaving then
-               Most := Buffer'Last;
-               if How.Rate > 0 then
-                  Most := Stream_Element_Offset'Min
-                    (Most, Stream_Element_Offset (How.Rate) / 50 + 1);
-                  delay Duration (Most) / How.Rate;
-               end if;
-               if How.Late_Each and then Length (Rest) = 0 then
-                  Be_Late;
-               end if;
-               Receive_Socket (Socket.all, Buffer (1 .. Most), Last);
-               if Last < Buffer'First then
-                  Box.Ended (Orderly);
-                  exit Reading;
-               end if;
-               declare
-                  Time  : constant Instant := Now;
-                  Bytes : String (1 .. Natural (Last))
-                    with Import, Address => Buffer'Address;
-                  First : Positive := 1;
-                  Place : Natural;
-               begin
-                  loop
-                     Place := Index
-                       (Bytes (First .. Bytes'Last), (1 => ASCII.LF));
-                     exit when Place = 0;
-                     Append (Rest, Bytes (First .. Place - 1));
-                     Take (Rest, Time);
-                     Rest := Null_Unbounded_String;
-                     First := Place + 1;
-                     exit when First > Bytes'Last;
-                  end loop;
-                  if First > Bytes'Last then
-                     Group := Group + 1;
-                     if not How.Late_Each then
-                        Be_Late;
-                     end if;
-                  else
-                     Append (Rest, Bytes (First .. Bytes'Last));
+            if Object.Late_Each and then Length (Rest) = 0 then
+               Be_Late;
+            end if;
+            Receive_Socket (Object.Socket, Buffer (1 .. Most), Last);
+            if Last < Buffer'First then
+               Object.State := Orderly;
+               exit;
+            end if;
+            declare
+               Time  : constant Instant := Now;
+               Bytes : String (1 .. Natural (Last))
+                 with Import, Address => Buffer'Address;
+               First : Positive := 1;
+               Place : Natural;
+            begin
+               loop
+                  Place := Index
+                    (Bytes (First .. Bytes'Last), (1 => ASCII.LF));
+                  exit when Place = 0;
+                  Append (Rest, Bytes (First .. Place - 1));
+                  Take (Rest, Time);
+                  Rest := Null_Unbounded_String;
+                  First := Place + 1;
+                  exit when First > Bytes'Last;
+               end loop;
+               if First > Bytes'Last then
+                  Group := Group + 1;
+                  if not Object.Late_Each then
+                     Be_Late;
                   end if;
-               end;
-            end if;
-         end;
-      end loop Reading;
+               else
+                  Append (Rest, Bytes (First .. Bytes'Last));
+               end if;
+            end;
+         end if;
+      end loop;
    exception
       when Socket_Error =>
-         Box.Ended (Broken);
+         Object.State := Broken;
    end Receiver;
 
    procedure Connect
@@ -285,19 +227,20 @@ package body Monitor_Clients is
       Address        : String  := "127.0.0.1";
       Source         : String  := "";
       Receive_Buffer : Natural := 0;
-      Namespace      : String  := "";
+      By_Link        : Boolean := False;
       Real_Time      : Boolean := True)
    is
-      Server : constant Inet_Addr_Type := Inet_Addr (Address);
+      Server : constant Inet_Addr_Type := Inet_Addr
+        (if By_Link then Network_Links.Supervisor_Side else Address);
       Status : Selector_Status;
    begin
       Object.Close;
       Object.Inner := new Parts;
-      if Namespace = "" then
-         Create_Socket (Object.Inner.Socket, Server.Family);
-      else
-         Network_Links.Enter (Namespace);
-         Create_Socket (Object.Inner.Socket, Server.Family);
+      if By_Link then
+         Network_Links.Enter;
+      end if;
+      Create_Socket (Object.Inner.Socket, Server.Family);
+      if By_Link then
          Network_Links.Leave;
       end if;
       if Source /= "" then
@@ -316,34 +259,12 @@ package body Monitor_Clients is
       Check (Status = Completed, "no connection to port" & Port'Image);
       Set_Socket_Option
         (Object.Inner.Socket, IP_Protocol_For_TCP_Level, (No_Delay, True));
-      Object.Inner.Reader := new Receiver
-        (Object.Inner.Box'Unchecked_Access,
-         Object.Inner.Socket'Unchecked_Access, Real_Time);
+      Object.Inner.Reader := new Receiver (Object.Inner, Real_Time);
    exception
       when Occurrence : Socket_Error =>
          raise Failed with "no connection to port" & Port'Image & ": "
            & Ada.Exceptions.Exception_Message (Occurrence);
    end Connect;
-
-   function Connects
-     (Port : Positive; Address : String := "127.0.0.1") return Boolean
-   is
-      Socket : Socket_Type;
-      Status : Selector_Status;
-   begin
-      Create_Socket (Socket);
-      begin
-         Connect_Socket
-           (Socket, (Family_Inet, Inet_Addr (Address), Port_Type (Port)),
-            Timeout => 2.0, Status => Status);
-      exception
-         when Socket_Error =>
-            Close_Socket (Socket);
-            return False;
-      end;
-      Close_Socket (Socket);
-      return Status = Completed;
-   end Connects;
 
    procedure Send (Object : in out Client; Bytes : String) is
    begin
@@ -410,7 +331,7 @@ package body Monitor_Clients is
    begin
       loop
          Item := Object.Next (Duration'Max (0.0, Deadline - Now));
-         Check (Item.Number > 0 or else Object.Inner.Box.State = Open,
+         Check (Item.Number > 0 or else Object.Inner.State = Open,
                 "no " & Labels & ", the connection is closed");
          Check (Item.Number > 0, "no " & Labels);
          if Index (Labels, Item.Label) > 0 then
@@ -516,53 +437,35 @@ package body Monitor_Clients is
       return Result;
    end Count_Of;
 
-   function Last_Image (Object : Client) return String is
-     (Object.Inner.Box.Image (0));
+   function Image (Object : Client; Number : Natural := 0) return String is
+     (Object.Inner.Box.Image (Number));
 
    function Broken_Images (Object : Client) return Natural is
      (Object.Inner.Box.Broken_Images);
 
-   procedure Keep_Images (Object : in out Client; Count : Positive) is
-   begin
-      Object.Inner.Box.Keep_Images (Count);
-   end Keep_Images;
-
-   function Image (Object : Client; Number : Positive) return String is
-     (Object.Inner.Box.Image (Number));
-
-   procedure Follow (Inner : Parts_Access) is
-      --  Its receiver does what Inner.How says
-   begin
-      Inner.Box.Set_Manner (Inner.How);
-   end Follow;
-
    procedure Pause (Object : in out Client) is
    begin
-      Object.Inner.How.Paused := True;
-      Follow (Object.Inner);
+      Object.Inner.Paused := True;
       delay 0.05;
       --  a recv that had begun is over
    end Pause;
 
    procedure Resume (Object : in out Client) is
    begin
-      Object.Inner.How.Paused := False;
-      Follow (Object.Inner);
+      Object.Inner.Paused := False;
    end Resume;
 
    procedure Limit_Reading (Object : in out Client; Rate : Natural) is
    begin
-      Object.Inner.How.Rate := Rate;
-      Follow (Object.Inner);
+      Object.Inner.Rate := Rate;
    end Limit_Reading;
 
    procedure Be_Late
      (Object : in out Client; Least, Most : Duration; To_Each : Boolean) is
    begin
-      Object.Inner.How.Least := Least;
-      Object.Inner.How.Most := Most;
-      Object.Inner.How.Late_Each := To_Each;
-      Follow (Object.Inner);
+      Object.Inner.Most := Most;
+      Object.Inner.Least := Least;
+      Object.Inner.Late_Each := To_Each;
    end Be_Late;
 
    function Closed_By_Peer
@@ -571,10 +474,10 @@ package body Monitor_Clients is
    is
       Deadline : constant Instant := Now + Within;
    begin
-      while Object.Inner.Box.State = Open and then Now < Deadline loop
+      while Object.Inner.State = Open and then Now < Deadline loop
          delay 0.001;
       end loop;
-      return Object.Inner.Box.State;
+      return Object.Inner.State;
    end Closed_By_Peer;
 
    procedure Half_Close (Object : in out Client) is
@@ -583,44 +486,36 @@ package body Monitor_Clients is
       Shutdown_Socket (Object.Inner.Socket, Shut_Write);
    end Half_Close;
 
-   function Left_At (Object : Client) return Instant is (Object.Left);
-
    procedure Let_Go (Object : in out Client; Abortive : Boolean) is
-
-      procedure Leave is
-         --  The order of the events towards the supervisor is the test's:
-         --  the close comes first, the end of the reader afterwards
-      begin
-         Object.Inner.How.Leaving := True;
-         Follow (Object.Inner);
-         while not Object.Inner.Reader'Terminated loop
-            delay 0.001;
-         end loop;
-      end Leave;
-
+      --  The order of the events towards the supervisor is the test's: the
+      --  shutdown comes first, the end of the reader afterwards; before a
+      --  reset the reader ends
    begin
       if Object.Inner = null then
          return;
       end if;
       if Object.Inner.Reader /= null then
-         if Abortive then
-            Leave;
-            Set_Socket_Option
-              (Object.Inner.Socket, Socket_Level, (Linger, True, 0));
-            Object.Left := Now;
-         else
-            Object.Left := Now;
+         Object.Left := Now;
+         if not Abortive then
             begin
                Shutdown_Socket (Object.Inner.Socket, Shut_Write);
             exception
                when Socket_Error =>
                   null;
             end;
-            Leave;
          end if;
-         Close_Socket (Object.Inner.Socket);
+         Object.Inner.Leaving := True;
+         while not Object.Inner.Reader'Terminated loop
+            delay 0.001;
+         end loop;
          Free (Object.Inner.Reader);
-      elsif Object.Inner.Socket /= No_Socket then
+      end if;
+      if Object.Inner.Socket /= No_Socket then
+         if Abortive then
+            Set_Socket_Option
+              (Object.Inner.Socket, Socket_Level, (Linger, True, 0));
+            Object.Left := Now;
+         end if;
          Close_Socket (Object.Inner.Socket);
       end if;
       Free (Object.Inner);
@@ -635,6 +530,8 @@ package body Monitor_Clients is
    begin
       Let_Go (Object, Abortive => True);
    end Reset;
+
+   function Left_At (Object : Client) return Instant is (Object.Left);
 
    overriding procedure Finalize (Object : in out Client) is
    begin

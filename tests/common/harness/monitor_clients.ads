@@ -12,6 +12,9 @@ package Monitor_Clients is
 
    subtype Message_Label is String (1 .. 4);
 
+   Answers : constant String := "AACK ANAK ACRJ ATIM ACER";
+   --  Labels of what only answers a command
+
    type Message is record
       Number : Natural := 0;
       --  1, 2 .. in the order of arrival; 0: none
@@ -38,17 +41,14 @@ package Monitor_Clients is
       Address        : String  := "127.0.0.1";
       Source         : String  := "";
       Receive_Buffer : Natural := 0;
-      Namespace      : String  := "";
+      By_Link        : Boolean := False;
       Real_Time      : Boolean := True);
    --  Source is the client's own address; if empty, the system's choice.
-   --  Receive_Buffer 0: the system's default. Namespace: of Network_Links.
+   --  Receive_Buffer 0: the system's default. By_Link: from the other end
+   --  of the link that has been made (Network_Links), to this one's address.
    --  Real_Time: the receiving task gets the priority Libc.Above_Supervisor if
    --  permitted, so that its times are those of arrival. Raises Failed when
    --  rejected.
-
-   function Connects
-     (Port : Positive; Address : String := "127.0.0.1") return Boolean;
-   --  Whether a server listens there
 
    procedure Send (Object : in out Client; Bytes : String);
    --  Sends unchanged; blocks while the supervisor accepts nothing, 30 s at
@@ -79,8 +79,8 @@ package Monitor_Clients is
 
    function Next_Answer
      (Object : in out Client; Command : String := "") return Message;
-   --  The next answer: AACK, ANAK, ACRJ, ATIM, ACER; RBLV, RCST, CIMG, RVER
-   --  and CARN only if they answer Command
+   --  The next of Answers; RBLV, RCST, CIMG, RVER and CARN only if they answer
+   --  Command
 
    function Ask (Object : in out Client; Command : String) return Message;
    --  Sends Command and takes its answer. Unsolicited messages are skipped.
@@ -103,15 +103,11 @@ package Monitor_Clients is
    function Count (Object : Client) return Natural;
    function Element (Object : Client; Number : Positive) return Message;
    function Count_Of (Object : Client; Label : Message_Label) return Natural;
-   function Last_Image (Object : Client) return String;
-   --  The base64 text of the newest image, "" before the first
+   function Image (Object : Client; Number : Natural := 0) return String;
+   --  The base64 text of message Number, or of the newest image, if it is
+   --  among the newest hundred; else ""
    function Broken_Images (Object : Client) return Natural;
    --  Images whose text cannot be the base64 of a JPEG
-
-   procedure Keep_Images (Object : in out Client; Count : Positive);
-   function Image (Object : Client; Number : Positive) return String;
-   --  The base64 text of message Number, if it is among the newest images
-   --  stored (by default 1)
 
    --  Reading
 

@@ -8,16 +8,14 @@ with Interfaces.C;
 package Network_Links is
 
    function Supervisor_Side return String;
-   function Monitor_Side return String;
-   --  Addresses are per process: several may run at a time
+   --  The supervisor's address. Addresses are per process: several may
+   --  run at a time
 
    type Link is tagged limited private;
    --  Removed at the end of its scope
 
    procedure Make (Object : in out Link);
    --  Raises Failed, or Skipped where none can be made, with the reason
-
-   function Namespace (Object : Link) return String;
 
    type Cut_Kind is
      (Cable_Pulled,    --  at the monitor's end: no carrier at the supervisor's
@@ -28,17 +26,13 @@ package Network_Links is
       Address_Gone,    --  the same
       Route_Gone);     --  the same: none to the monitor, but from it
 
-   procedure Cut (Object : in out Link; How : Cut_Kind := Cable_Pulled);
-   procedure Mend (Object : in out Link; How : Cut_Kind := Cable_Pulled);
-
-   procedure Remove (Object : in out Link);
-   --  If it exists
+   procedure Cut (How : Cut_Kind := Cable_Pulled);
 
    procedure Remove_Left (Process : Interfaces.C.int);
-   --  Removes links left by killed processes
+   --  Removes the link of a killed process
 
-   procedure Enter (Namespace : String);
-   --  Applies to the calling thread, until Leave
+   procedure Enter;
+   --  The calling thread is at the monitor's end, until Leave
    procedure Leave;
 
 private

@@ -6,11 +6,13 @@ with Ada.Exceptions;
 with Ada.Numerics.Float_Random; use Ada.Numerics.Float_Random;
 with Ada.Streams;               use Ada.Streams;
 with Ada.Streams.Stream_IO;
+with Ada.Strings.Fixed;         use Ada.Strings.Fixed;
 with Ada.Unchecked_Deallocation;
 with GNAT.Sockets;              use GNAT.Sockets;
 
 with Expectations;              use Expectations;
 with Own_Process;
+with Plain_Numbers;             use Plain_Numbers;
 
 package body Paced_Cameras is
 
@@ -30,13 +32,6 @@ package body Paced_Cameras is
    procedure Free is new Ada.Unchecked_Deallocation
      (Stream_Element_Array, Data_Access);
 
-   protected type Pace is
-      procedure Set (Rate : Float);
-      function Interval return Duration;
-   private
-      Current : Float := 1.0;
-   end Pace;
-
    task type Server (Inner : not null access Parts);
 
    type Server_Access is access Server;
@@ -47,7 +42,7 @@ package body Paced_Cameras is
       Port     : Port_Type;
       Image    : Data_Access;
       Jitter   : Duration := 0.0;
-      Rate     : Pace;
+      Rate     : Float := 1.0 with Atomic;
       Stopping : Boolean := False with Atomic;
       Running  : Server_Access;
    end record;
@@ -55,25 +50,9 @@ package body Paced_Cameras is
    procedure Free is new Ada.Unchecked_Deallocation (Parts, Parts_Access);
    procedure Free is new Ada.Unchecked_Deallocation (Server, Server_Access);
 
-   function Octets (Text : String) return Stream_Element_Array is
-      Result : Stream_Element_Array (1 .. Text'Length);
-   begin
-      for I in Result'Range loop
-         Result (I) := Character'Pos (Text (Text'First + Integer (I) - 1));
-      end loop;
-      return Result;
-   end Octets;
-
    function Padded (Value : Long_Long_Integer; Length : Positive)
      return String
-   is
-      --  With zeroes in front
-      Image  : constant String := Value'Image;
-      Digit  : constant String := Image (Image'First + 1 .. Image'Last);
-      Zeroes : constant String (1 .. Length - Digit'Length) := (others => '0');
-   begin
-      return Zeroes & Digit;
-   end Padded;
+   is (Tail (Trim (Value'Image, Ada.Strings.Left), Length, '0'));
 
    function Value_Of (Letter : Character) return Natural is
      (case Letter is
@@ -111,17 +90,6 @@ package body Paced_Cameras is
          raise Failed with "an image that is none of this camera";
    end Mark_Of;
 
-   protected body Pace is
-
-      function Interval return Duration is (Duration (1.0 / Current));
-
-      procedure Set (Rate : Float) is
-      begin
-         Current := Rate;
-      end Set;
-
-   end Pace;
-
    task body Server is
       Address : Sock_Addr_Type;
       Request : Stream_Element_Array (1 .. 4_096);
@@ -143,8 +111,16 @@ package body Paced_Cameras is
          end loop;
       end Send;
 
-      function Comment return Stream_Element_Array is
-        (16#FF#, 16#FE#, 0, Mark_Length + 2) with Pre => Mark_Length + 2 < 256;
+      procedure Send (Text : String) is
+         Data : Stream_Element_Array (1 .. Text'Length)
+           with Import, Address => Text'Address;
+      begin
+         Send (Data);
+      end Send;
+
+      Comment : constant String :=
+        (Character'Val (16#FF#), Character'Val (16#FE#), ASCII.NUL,
+         Character'Val (Mark_Length + 2));
 
    begin
       Own_Process.Prefer_Real_Time (True);
@@ -153,29 +129,25 @@ package body Paced_Cameras is
       Set_Socket_Option
         (Inner.Client, IP_Protocol_For_TCP_Level, (No_Delay, True));
       Receive_Socket (Inner.Client, Request, Last);
-      Send (Octets
-        ("HTTP/1.0 200 OK" & Line_End
-         & "Content-Type: multipart/x-mixed-replace; boundary=frame"
-         & Line_End & Line_End));
+      Send ("HTTP/1.0 200 OK" & Line_End
+            & "Content-Type: multipart/x-mixed-replace; boundary=frame"
+            & Line_End & Line_End);
       Nominal := Now;
       while not Inner.Stopping loop
-         Nominal := Nominal + Inner.Rate.Interval;
+         Nominal := Nominal + Duration (1.0 / Inner.Rate);
          delay (Nominal - Now)
            + Inner.Jitter * Duration (2.0 * Random (Chance) - 1.0);
          Number := Number + 1;
-         Send
-           (Octets
-              ("--frame" & Line_End & "Content-Type: image/jpeg" & Line_End
+         Send ("--frame" & Line_End & "Content-Type: image/jpeg" & Line_End
                & "Content-Length:"
                & Integer'Image (Inner.Image'Length + Mark_Length + 4)
-               & Line_End & Line_End)
-            & Inner.Image (1 .. 2) & Comment
-            & Octets
-                (Padded (Long_Long_Integer (Number), Digits_Of_Number)
-                 & Padded (Long_Long_Integer (Now), Digits_Of_Time)));
-         --  as it is, for a copy of a large one takes its time
+               & Line_End & Line_End);
+         Send (Inner.Image (1 .. 2));
+         Send (Comment
+               & Padded (Long_Long_Integer (Number), Digits_Of_Number)
+               & Padded (Long_Long_Integer (Now), Digits_Of_Time));
          Send (Inner.Image (3 .. Inner.Image'Last));
-         Send (Octets (Line_End));
+         Send (Line_End);
       end loop;
    exception
       when Socket_Error =>
@@ -205,7 +177,7 @@ package body Paced_Cameras is
       Read (File, Object.Inner.Image.all, Last);
       Close (File);
       Object.Inner.Jitter := Jitter;
-      Object.Inner.Rate.Set (Rate);
+      Object.Inner.Rate := Rate;
       Create_Socket (Object.Inner.Listener);
       Bind_Socket
         (Object.Inner.Listener, (Family_Inet, Inet_Addr ("127.0.0.1"), 0));
@@ -215,15 +187,12 @@ package body Paced_Cameras is
    end Start;
 
    function Url (Object : Camera) return String is
-      Port : constant String := Object.Inner.Port'Image;
-   begin
-      return "http://127.0.0.1:" & Port (Port'First + 1 .. Port'Last)
-        & "/stream.mjpg";
-   end Url;
+     ("http://127.0.0.1:" & Image (Integer (Object.Inner.Port))
+      & "/stream.mjpg");
 
    procedure Set_Rate (Object : Camera; Rate : Float) is
    begin
-      Object.Inner.Rate.Set (Rate);
+      Object.Inner.Rate := Rate;
    end Set_Rate;
 
    procedure Stop (Object : in out Camera) is

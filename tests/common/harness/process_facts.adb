@@ -2,56 +2,21 @@
 --  What the kernel says about a process.
 
 with Ada.Characters.Handling; use Ada.Characters.Handling;
-with Ada.Strings;             use Ada.Strings;
 with Ada.Strings.Fixed;       use Ada.Strings.Fixed;
 with Ada.Strings.Maps;        use Ada.Strings.Maps;
 with Ada.Strings.Unbounded;   use Ada.Strings.Unbounded;
 with Ada.Text_IO;             use Ada.Text_IO;
 with GNAT.Directory_Operations;
 
+with Expectations;            use Expectations;
+with Instants;                use Instants;
 with Libc;
+with Plain_Numbers;           use Plain_Numbers;
 
 package body Process_Facts is
 
    function Folder (Process : int) return String is
-     ("/proc/" & Trim (Process'Image, Both));
-
-   function Field (Path : String; Key : String) return String is
-      --  What stands after "Key:" in the file, "" where there is none
-      File   : File_Type;
-      Result : Unbounded_String;
-   begin
-      Open (File, In_File, Path);
-      while not End_Of_File (File) loop
-         declare
-            Line : constant String := Get_Line (File);
-         begin
-            if Index (Line, Key & ":") = Line'First then
-               Result := To_Unbounded_String
-                 (Trim (Line (Line'First + Key'Length + 1 .. Line'Last),
-                        To_Set (" " & ASCII.HT), To_Set (" ")));
-            end if;
-         end;
-      end loop;
-      Close (File);
-      return To_String (Result);
-   exception
-      when Name_Error | Use_Error =>
-         return "";
-   end Field;
-
-   function Status_Number (Process : int; Key : String) return Natural is
-      --  The first number after Key in the process's status
-      Text : constant String := Field (Folder (Process) & "/status", Key);
-      Last : Natural := Text'First - 1;
-   begin
-      while Last < Text'Last and then Is_Digit (Text (Last + 1)) loop
-         Last := Last + 1;
-      end loop;
-      return
-        (if Last < Text'First then 0
-         else Natural'Value (Text (Text'First .. Last)));
-   end Status_Number;
+     ("/proc/" & Image (Integer (Process)));
 
    function File_Line (Path : String; Key : String := "") return String is
       File : File_Type;
@@ -76,6 +41,26 @@ package body Process_Facts is
          end if;
          return "";
    end File_Line;
+
+   function Field (Path : String; Key : String) return String is
+      --  The word after "Key:" in the file, "" where there is none
+      Line  : constant String := File_Line (Path, Key & ":");
+      First : Positive;
+      Last  : Natural;
+   begin
+      if Line = "" then
+         return "";
+      end if;
+      Find_Token (Line (Line'First + Key'Length + 1 .. Line'Last),
+                  To_Set (" " & ASCII.HT), Ada.Strings.Outside, First, Last);
+      return Line (First .. Last);
+   end Field;
+
+   function Status_Number (Process : int; Key : String) return Natural is
+      Text : constant String := Field (Folder (Process) & "/status", Key);
+   begin
+      return (if Text = "" then 0 else Natural'Value (Text));
+   end Status_Number;
 
    procedure For_Each_Entry
      (Path : String; Action : not null access procedure (Name : String))
@@ -114,44 +99,62 @@ package body Process_Facts is
    function Threads (Process : int) return Natural is
      (Status_Number (Process, "Threads"));
 
-   function Descriptors (Process : int) return Natural is
-      Result : Natural := 0;
+   function Footprint_Of (Process : int) return Footprint is
+      Result : Footprint :=
+        (Resident_Kilobytes (Process), Threads (Process), Descriptors => 0);
 
       procedure Count (Name : String) is
       begin
-         if Name /= "" then
-            Result := Result + 1;
-         end if;
+         Result.Descriptors := Result.Descriptors + Boolean'Pos (Name /= "");
       end Count;
    begin
       For_Each_Entry (Folder (Process) & "/fd", Count'Access);
       return Result;
-   end Descriptors;
+   end Footprint_Of;
 
-   function Open_File (Process : int; Descriptor : Natural) return String is
-      Target : String (1 .. 4_096);
-      Size   : constant long := Libc.Readlink
-        (To_C (Folder (Process) & "/fd/" & Trim (Descriptor'Image, Both)),
-         Target'Address, Target'Length);
+   procedure Expect_Flat
+     (Process : int; Before : Footprint; Kilobytes : Natural := 1024)
+   is
+      Deadline : constant Instant := Now + 5.0;
+      After    : Footprint;
    begin
-      return Target (1 .. Natural (long'Max (0, Size)));
-   end Open_File;
+      loop
+         After := Footprint_Of (Process);
+         exit when Now > Deadline
+           or else (After.Kilobytes <= Before.Kilobytes + Kilobytes
+                    and then After.Threads <= Before.Threads
+                    and then After.Descriptors <= Before.Descriptors);
+         delay 0.01;
+      end loop;
+      Note ("memory" & Before.Kilobytes'Image & " kB," & After.Kilobytes'Image
+            & " kB; threads" & Before.Threads'Image & "," & After.Threads'Image
+            & "; descriptors" & Before.Descriptors'Image & ","
+            & After.Descriptors'Image);
+      Check (After.Kilobytes <= Before.Kilobytes + Kilobytes
+             and then After.Threads <= Before.Threads
+             and then After.Descriptors <= Before.Descriptors, "it grows");
+   end Expect_Flat;
 
    function Inherited (Process : int) return String is
       Result : Unbounded_String;
 
       procedure Judge (Name : String) is
          Close_On_Exec : constant := 8#2000000#;
-         Flags : constant String :=
+         Flags  : constant String :=
            Field (Folder (Process) & "/fdinfo/" & Name, "flags");
+         Target : String (1 .. 4_096);
+         Size   : long;
       begin
          if Natural'Value (Name) > 2 and then Flags /= ""
            and then Natural'Value ("8#" & Flags & "#") / Close_On_Exec mod 2
                     = 0
          then
-            Append
-              (Result,
-               " " & Name & ":" & Open_File (Process, Natural'Value (Name)));
+            Size := Libc.Readlink
+              (To_C (Folder (Process) & "/fd/" & Name), Target'Address,
+               Target'Length);
+            Append (Result,
+                    " " & Name & ":"
+                    & Target (1 .. Natural (long'Max (0, Size))));
          end if;
       end Judge;
    begin
@@ -160,71 +163,60 @@ package body Process_Facts is
    end Inherited;
 
    function Has_Mapped (Process : int; Path : String) return Boolean is
-      File  : File_Type;
-      Found : Boolean := False;
-   begin
-      Open (File, In_File, Folder (Process) & "/maps");
-      while not Found and then not End_Of_File (File) loop
-         Found := Index (Get_Line (File), Path) > 0;
-      end loop;
-      Close (File);
-      return Found;
-   exception
-      when Name_Error | Use_Error =>
-         return False;
-   end Has_Mapped;
+     (File_Line (Folder (Process) & "/maps", Path) /= "");
+
+   function Name_Of (Process : int; Thread : String) return String is
+     (File_Line (Folder (Process) & "/task/" & Thread & "/comm"));
 
    function Thread_Named (Process : int; Name : String) return int is
       Wanted : constant String :=
-        To_Lower (Name (Name'First
-                  .. Natural'Min (Name'Last, Name'First + 14)));
+        To_Lower (Head (Name, Natural'Min (Name'Length, 15)));
       Result : int := 0;
 
       procedure Compare (Thread : String) is
       begin
-         if To_Lower
-           (File_Line (Folder (Process) & "/task/" & Thread & "/comm"))
-           = Wanted
-         then
+         if To_Lower (Name_Of (Process, Thread)) = Wanted then
             Result := int'Value (Thread);
          end if;
       end Compare;
    begin
       For_Each_Entry (Folder (Process) & "/task", Compare'Access);
+      if Result = 0 then
+         raise Failed with
+           "no thread " & Name & " among" & Thread_Names (Process);
+      end if;
       return Result;
    end Thread_Named;
-
-   function Real_Time_Threads (Process : int) return Natural is
-      Result : Natural := 0;
-
-      procedure Count (Thread : String) is
-      begin
-         if Libc.Sched_Getscheduler (int'Value (Thread)) = Libc.Sched_Fifo then
-            Result := Result + 1;
-         end if;
-      end Count;
-   begin
-      For_Each_Entry (Folder (Process) & "/task", Count'Access);
-      return Result;
-   end Real_Time_Threads;
 
    function Thread_Names (Process : int) return String is
       Result : Unbounded_String;
 
       procedure Add (Thread : String) is
       begin
-         Append (Result,
-                 " " & File_Line
-                   (Folder (Process) & "/task/" & Thread & "/comm"));
+         Append (Result, " " & Name_Of (Process, Thread));
       end Add;
    begin
       For_Each_Entry (Folder (Process) & "/task", Add'Access);
       return To_String (Result);
    end Thread_Names;
 
-   function Processors (Process : int; Thread : int) return String is
+   function Real_Time_Threads (Process : int) return Natural is
+      Result : Natural := 0;
+
+      procedure Count (Thread : String) is
+      begin
+         Result := Result + Boolean'Pos
+           (Libc.Sched_Getscheduler (int'Value (Thread)) = Libc.Sched_Fifo);
+      end Count;
+   begin
+      For_Each_Entry (Folder (Process) & "/task", Count'Access);
+      return Result;
+   end Real_Time_Threads;
+
+   function Processors (Process : int; Thread : String) return String is
      (Field
-        (Folder (Process) & "/task/" & Trim (Thread'Image, Both) & "/status",
+        (Folder (Process) & "/task/"
+         & Image (Integer (Thread_Named (Process, Thread))) & "/status",
          "Cpus_allowed_list"));
 
 end Process_Facts;

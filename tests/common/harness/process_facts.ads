@@ -17,8 +17,17 @@ package Process_Facts is
    function Locked_Kilobytes (Process : int) return Natural;
    --  Of its address space, resident or not
    function Threads (Process : int) return Natural;
-   function Descriptors (Process : int) return Natural;
    --  0 when there is no such process
+
+   type Footprint is record
+      Kilobytes, Threads, Descriptors : Natural := 0;
+   end record;
+
+   function Footprint_Of (Process : int) return Footprint;
+
+   procedure Expect_Flat
+     (Process : int; Before : Footprint; Kilobytes : Natural := 1024);
+   --  Raises Failed if it keeps more than before, and than so much more memory
 
    function Inherited (Process : int) return String;
    --  Which of its files, but the standard streams, a program that it started
@@ -28,15 +37,16 @@ package Process_Facts is
    --  A file, such as a library
 
    function Thread_Named (Process : int; Name : String) return int;
-   --  Its number, 0 if there is none. Case is ignored; the kernel keeps the
-   --  first 15 characters of a name.
+   --  Its number. Case is ignored; the kernel keeps the first 15 characters of
+   --  a name. Raises Failed if there is none
 
    function Thread_Names (Process : int) return String;
 
    function Real_Time_Threads (Process : int) return Natural;
    --  How many of its threads are scheduled as SCHED_FIFO
 
-   function Processors (Process : int; Thread : int) return String;
-   --  The affinity of the thread, in the kernel's notation: "0", "1-3"
+   function Processors (Process : int; Thread : String) return String;
+   --  The affinity of the thread with this name, in the kernel's notation:
+   --  "0", "1-3"
 
 end Process_Facts;

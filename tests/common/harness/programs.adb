@@ -1,28 +1,24 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
 --  Where the programs under test are, and the end of them.
 
+with Ada.Characters.Handling; use Ada.Characters.Handling;
 with Ada.Command_Line;
 with Ada.Directories;       use Ada.Directories;
 with Ada.Exceptions;        use Ada.Exceptions;
-with Ada.Strings;           use Ada.Strings;
-with Ada.Strings.Fixed;     use Ada.Strings.Fixed;
+with Ada.Streams.Stream_IO;
 with Ada.Strings.Unbounded; use Ada.Strings.Unbounded;
 with Ada.Text_IO;
 with GNAT.OS_Lib;
 with Interfaces.C;          use Interfaces.C;
 
-with Child_Processes;
 with Libc;
 with Option_Readers;
+with Plain_Numbers;         use Plain_Numbers;
 
 package body Programs is
 
-   type Program is (The_Supervisor, The_Emulator, The_Monitor);
-
-   Options : constant array (Program) of Unbounded_String :=
-     (To_Unbounded_String ("--supervisor"),
-      To_Unbounded_String ("--emulator"),
-      To_Unbounded_String ("--monitor"));
+   type Program is (Supervisor_Path, Emulator_Path, Monitor_Path);
+   --  Options are --supervisor ...
 
    Paths  : array (Program) of Unbounded_String;
    Folder : Unbounded_String;
@@ -30,18 +26,16 @@ package body Programs is
    Terminals : Boolean := False;
 
    function Folder_Of (Process : int) return String is
-     ("/tmp/destijl_tests." & Trim (Libc.Geteuid'Image, Both) & "."
-      & Trim (Process'Image, Both));
+     ("/tmp/destijl_tests." & Image (Integer (Libc.Geteuid)) & "."
+      & Image (Integer (Process)));
    --  What a killed process of another user has left, cannot be removed
 
-   function Path (Which : Program; Name : String) return String is
-      --  As set, or Name in the folder of the running program
+   procedure Set_Mode (Path : String; Mode : unsigned) is
    begin
-      if Paths (Which) = "" then
-         Paths (Which) := To_Unbounded_String (Beside (Name));
+      if Libc.Chmod (To_C (Path), Mode) /= 0 then
+         raise Use_Error with "chmod of " & Path;
       end if;
-      return To_String (Paths (Which));
-   end Path;
+   end Set_Mode;
 
    function Beside (Name : String) return String is
       Here : GNAT.OS_Lib.String_Access :=
@@ -54,29 +48,47 @@ package body Programs is
       end return;
    end Beside;
 
-   function Supervisor return String is
-     (Path (The_Supervisor, "destijl"));
+   function Path (Which : Program; Name : String) return String is
+     (if Paths (Which) = "" then Beside (Name) else To_String (Paths (Which)));
+
+   function Supervisor return String is (Path (Supervisor_Path, "destijl"));
 
    function Emulator return String is
-     (Path (The_Emulator, "destijl_emulator"));
+     (Path (Emulator_Path, "destijl_emulator"));
 
-   function Monitor return String is
-     (Path (The_Monitor, "destijl_monitor"));
+   function Monitor return String is (Path (Monitor_Path, "destijl_monitor"));
 
    function Vision_Library return String is
      (Compose (Containing_Directory (Supervisor), "libdestijl_vision.so"));
 
    function With_Sockets return Boolean is (not Terminals);
 
+   function New_File
+     (Name, Text : String; Mode : unsigned := 8#644#) return String
+   is
+      use Ada.Streams.Stream_IO;
+      Path : constant String := Temporary_Folder & "/" & Name;
+      File : File_Type;
+   begin
+      if Exists (Path) then
+         --  perhaps one that nobody may write
+         Delete_File (Path);
+      end if;
+      Create (File, Out_File, Path);
+      String'Write (Stream (File), Text);
+      Close (File);
+      Set_Mode (Path, Mode);
+      return Path;
+   end New_File;
+
    function Copied (Path : String) return String is
       To_Be_Run : constant := 8#755#;
       Copy      : constant String :=
         Compose (Temporary_Folder, Simple_Name (Path));
-      Unused    : int;
    begin
       if not Exists (Copy) then
          Copy_File (Path, Copy);
-         Unused := Libc.Chmod (To_C (Copy), To_Be_Run);
+         Set_Mode (Copy, To_Be_Run);
       end if;
       return Copy;
    end Copied;
@@ -95,7 +107,7 @@ package body Programs is
          return True;
       end if;
       for Which in Program loop
-         if Name = To_String (Options (Which)) then
+         if Name & "_path" = "--" & To_Lower (Which'Image) then
             Paths (Which) :=
               To_Unbounded_String (Full_Name (Option_Readers.Value));
             return True;
@@ -116,14 +128,13 @@ package body Programs is
 
    function Temporary_Folder return String is
       Open_To_All : constant := 8#777#;
-      Unused      : int;
    begin
       if Folder = "" then
          --  one that a killed process of the same number has left
          Remove_Left (Libc.Getpid);
          Folder := To_Unbounded_String (Folder_Of (Libc.Getpid));
          Create_Directory (To_String (Folder));
-         Unused := Libc.Chmod (To_C (To_String (Folder)), Open_To_All);
+         Set_Mode (To_String (Folder), Open_To_All);
       end if;
       return To_String (Folder);
    end Temporary_Folder;
@@ -159,7 +170,7 @@ package body Programs is
 
    procedure Give_Up (Reason : String; Status : Integer := 1) is
    begin
-      Child_Processes.Stop_All;
+
       Remove_Temporary_Folder;
       begin
          Ada.Text_IO.Put_Line (Ada.Text_IO.Standard_Error, Reason);

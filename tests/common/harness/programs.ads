@@ -36,6 +36,11 @@ package Programs is
    function Temporary_Folder return String;
    --  A folder for this run, made at first use, accessible to all users
 
+   function New_File
+     (Name, Text : String; Mode : Interfaces.C.unsigned := 8#644#)
+      return String;
+   --  Writes Text to this file of the temporary folder, made anew: its path
+
    function Copied (Path : String) return String;
    --  A copy in the temporary folder, where every user can run or load it, and
    --  whose path has no blank

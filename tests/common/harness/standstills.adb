@@ -4,10 +4,11 @@
 with Interfaces.C; use type Interfaces.C.int;
 with System.Multiprocessors.Dispatching_Domains;
 
-with Host_Time;
+with Child_Processes; use Child_Processes;
 with Libc;
 with Own_Process;
 with Polls;
+with Process_Facts;
 with Pseudo_Terminals;
 
 package body Standstills is
@@ -41,13 +42,10 @@ package body Standstills is
 
    Of_Processors, Of_Lines : Stall_Record;
 
-   task type Watcher (Processor : CPU; Turn : Positive);
+   task type Watcher (Processor : CPU_Range; Turn : Positive);
+   --  Of the line if the processor is 0
 
    type Watcher_Access is access Watcher;
-
-   task type Line_Watcher (Turn : Positive);
-
-   type Line_Watcher_Access is access Line_Watcher;
 
    protected body Stall_Record is
 
@@ -89,8 +87,7 @@ package body Standstills is
 
    end Stall_Record;
 
-   task body Watcher is
-      Span   : constant Duration := Duration (Turn) / 1_000;
+   procedure Watch_Processor (Processor : CPU; Span : Duration) is
       Before : Instant;
       Time   : Instant;
    begin
@@ -100,16 +97,15 @@ package body Standstills is
          when Dispatching_Domains.Dispatching_Domain_Error =>
             null;  --  it may not run there: it stays where it is
       end;
-      Own_Process.Prefer_Real_Time (True, Libc.Above_Supervisor + 1);
       loop
          Before := Now;
          delay Span;
          Time := Now;
          Of_Processors.Add (Time - Before - Span, (Before, Time));
       end loop;
-   end Watcher;
+   end Watch_Processor;
 
-   task body Line_Watcher is
+   procedure Watch_Line (Span : Duration) is
       Line   : Pseudo_Terminals.Line;
       Open   : Boolean;
       Byte   : aliased Character := 'x';
@@ -118,32 +114,41 @@ package body Standstills is
       Unused : Interfaces.C.long;
    begin
       Pseudo_Terminals.Open (Line, Open);
-      Own_Process.Prefer_Real_Time (True, Libc.Above_Supervisor + 1);
-      if Open then
-         loop
-            Before := Now;
-            Of_Lines.Begin_At (Before);
-            Unused := Libc.Write
-              (Pseudo_Terminals.Device_End (Line), Byte'Address, 1);
-            if Polls.Is_Readable (Pseudo_Terminals.Robot_End (Line), 10.0) then
-               Time := Now;
-               Unused := Libc.Read
-                 (Pseudo_Terminals.Robot_End (Line), Byte'Address, 1);
-               Of_Lines.Add (Time - Before, (Before, Time));
-            end if;
-            delay Duration (Turn) / 1_000;
-         end loop;
+      if not Open then
+         return;
       end if;
-   end Line_Watcher;
+      loop
+         Before := Now;
+         Of_Lines.Begin_At (Before);
+         Unused := Libc.Write
+           (Pseudo_Terminals.Device_End (Line), Byte'Address, 1);
+         if Polls.Is_Readable (Pseudo_Terminals.Robot_End (Line), 10.0) then
+            Time := Now;
+            Unused := Libc.Read
+              (Pseudo_Terminals.Robot_End (Line), Byte'Address, 1);
+            Of_Lines.Add (Time - Before, (Before, Time));
+         end if;
+         delay Span;
+      end loop;
+   end Watch_Line;
+
+   task body Watcher is
+      Span : constant Duration := Duration (Turn) / 1_000;
+   begin
+      Own_Process.Prefer_Real_Time (True, Libc.Above_Supervisor + 1);
+      if Processor = Not_A_Specific_CPU then
+         Watch_Line (Span);
+      else
+         Watch_Processor (Processor, Span);
+      end if;
+   end Watcher;
 
    procedure Watch (Turn : Positive := 5; Lines : Boolean := False) is
-      Unused  : Watcher_Access;
-      Unused2 : Line_Watcher_Access;
+      Unused : Watcher_Access;
    begin
-      if Lines then
-         Unused2 := new Line_Watcher (Turn);
-      end if;
-      for Processor in 1 .. Number_Of_CPUs loop
+      for Processor in (if Lines then Not_A_Specific_CPU else 1)
+        .. Number_Of_CPUs
+      loop
          Unused := new Watcher (Processor, Turn);
       end loop;
    end Watch;
@@ -181,9 +186,21 @@ package body Standstills is
       return Result;
    end Within;
 
+   function Taken_By_Host return Duration is
+      --  The eighth figure of the line: after user, nice, system, idle,
+      --  waiting and two of interrupts
+      Tick    : constant Duration := 0.01;
+      --  of these figures, whatever the kernel's own is (USER_HZ)
+      Figures : constant Arguments :=
+        Words (Process_Facts.File_Line ("/proc/stat", "cpu "));
+   begin
+      return (if Figures.Last_Index < 9 then 0.0
+              else Tick * Integer'Value (Figures (9)));
+   end Taken_By_Host;
+
    function Has_Stood_Still (Host : Duration) return Boolean is
      (Duration'Max (Longest, Longest_Line) >= Too_Long
-      or else Host_Time.Taken - Host >= Too_Much);
+      or else Taken_By_Host - Host >= Too_Much);
 
    procedure Await_Calm (Limit : Duration) is
       While_Calm  : constant Duration := 2.0;
@@ -192,7 +209,7 @@ package body Standstills is
    begin
       while Now - Start < Limit loop
          Forget;
-         Host_Before := Host_Time.Taken;
+         Host_Before := Taken_By_Host;
          delay While_Calm;
          exit when not Has_Stood_Still (Host_Before);
       end loop;

@@ -29,13 +29,18 @@ package Standstills is
    --  should, or from a byte's sending to its arrival half a millisecond later
    --  or more. Only of the newest stalls, thousands of each
 
+   function Taken_By_Host return Duration;
+   --  Time that the host of a virtual machine has stolen from all processors
+   --  together since boot, in steps of 10 ms; 0.0 if the kernel does not
+   --  report it
+
    Too_Long : constant Duration := 0.02;
    Too_Much : constant Duration := 0.05;
    --  For a robot that has 80 ms to answer: the longest single stall, and the
-   --  time stolen by the host from all processors together (Host_Time)
+   --  time taken by the host
 
    function Has_Stood_Still (Host : Duration) return Boolean;
-   --  Since Forget, as long as one of these. Host: Host_Time.Taken then
+   --  Since Forget, as long as one of these. Host: Taken_By_Host then
 
    procedure Await_Calm (Limit : Duration);
    --  Waits for a while without stalls, Limit at most; discards measurements

@@ -2,8 +2,6 @@
 --  The supervisor under test.
 
 with Ada.Characters.Handling; use Ada.Characters.Handling;
-with Ada.Directories;
-with Ada.Streams.Stream_IO;
 with Ada.Strings;             use Ada.Strings;
 with Ada.Strings.Fixed;       use Ada.Strings.Fixed;
 with Ada.Strings.Unbounded;   use Ada.Strings.Unbounded;
@@ -11,33 +9,32 @@ with Ada.Strings.Unbounded;   use Ada.Strings.Unbounded;
 with Expectations;            use Expectations;
 with Libc;
 with Plain_Numbers;           use Plain_Numbers;
-with Programs;
 
 package body Supervisors is
+
+   use type Arguments;
 
    Listening : constant String := "listening on ";
    Timeout   : constant String := "--answer-timeout";
 
-   Patient : Boolean := False;
-
-   procedure Start_Process
+   procedure Run
      (Object   : in out Supervisor;
-      Options  : Arguments;
-      Launcher : String;
-      Program  : String)
+      Options  : String;
+      Launcher : String := "";
+      Program  : String := "")
    is
-      use type Arguments;
-      Path : constant String :=
+      Path      : constant String :=
         (if Program = "" then Programs.Supervisor else Program);
       All_Words : Arguments := Words
         ((if Index (Launcher, "LD_PRELOAD") > 0 then ""
-          else Programs.Preload & " ") & Launcher) & Path & Options;
+          else Programs.Preload & " ") & Launcher) & Path & Words (Options);
       First     : constant String := All_Words.First_Element;
    begin
       Object.Port := 0;
       All_Words.Delete_First;
-      Object.Process.Start (First, All_Words, "supervisor");
-   end Start_Process;
+      Object.Launch
+        (First, All_Words, "supervisor " & Launcher & " " & Options);
+   end Run;
 
    procedure Start
      (Object   : in out Supervisor;
@@ -47,20 +44,17 @@ package body Supervisors is
       Bind     : String  := "127.0.0.1";
       Port     : Natural := 0)
    is
-      use type Arguments;
       Number : Natural;
    begin
-      Start_Process (Object,
-                     Words ("--port" & Port'Image & " --bind " & Bind
-                       & (if Patient and then Index (Options, Timeout) = 0
-                          then " " & Timeout & " 300" else ""))
-                     & Words (Options),
-                     Launcher, Program);
-      Number := Object.Process.Awaited (Errors, Listening, Patience);
+      Object.Run ("--port" & Port'Image & " --bind " & Bind
+                  & (if Patient and then Index (Options, Timeout) = 0
+                     then " " & Timeout & " 300 " else " ") & Options,
+                  Launcher, Program);
+      Number := Object.Awaited (Errors, Listening, Patience);
       Check (Number > 0, "the supervisor does not listen");
       declare
          Line  : constant String :=
-           To_String (Object.Process.Element (Errors, Number).Text);
+           To_String (Object.Element (Errors, Number).Text);
          First : constant Positive := Index (Line, ":", Going => Backward) + 1;
          --  the last one: an address of IPv6 has its own
          Last  : Positive := First;
@@ -73,20 +67,6 @@ package body Supervisors is
       end;
    end Start;
 
-   procedure Be_Patient is
-   begin
-      Patient := True;
-   end Be_Patient;
-
-   procedure Run
-     (Object   : in out Supervisor;
-      Options  : String;
-      Launcher : String := "";
-      Program  : String := "") is
-   begin
-      Start_Process (Object, Words (Options), Launcher, Program);
-   end Run;
-
    function Console
      (Options  : String;
       Status   : Integer;
@@ -98,17 +78,14 @@ package body Supervisors is
       Check_Limit : constant Duration := 15.0;
       Start : constant Instant := Now;
       S     : Supervisor;
-      Seen  : Integer;
    begin
       S.Run (Options, Launcher, Program);
-      Seen := S.Exit_Status;
+      S.Expect_Exit (Status);
       Check_Within
         (Now - Start,
          (if Index (Options, "--check") > 0 then Check_Limit else End_Limit),
          Options);
-      return Text : constant String := S.Output_Text & S.Log_Text do
-         Check (Seen = Status,
-                Options & ": exit status" & Seen'Image & ": " & Text);
+      return Text : constant String := S.Text (Output) & S.Text do
          Check (Index (Text, Listening) = 0, Options & ": it listens");
       end return;
    end Console;
@@ -126,58 +103,12 @@ package body Supervisors is
              Options & ": not """ & Text & """, but " & Said);
    end Expect_Console;
 
-   function Token_File
-     (Text : String   := Token & ASCII.LF;
-      Mode : unsigned := 8#600#;
-      Name : String   := "token") return String
-   is
-      use Ada.Streams.Stream_IO;
-      Path : constant String := Programs.Temporary_Folder & "/" & Name;
-      File : File_Type;
-   begin
-      if Ada.Directories.Exists (Path) then
-         --  perhaps one that nobody may write
-         Ada.Directories.Delete_File (Path);
-      end if;
-      Create (File, Out_File, Path);
-      String'Write (Ada.Streams.Stream_IO.Stream (File), Text);
-      Close (File);
-      Check (Libc.Chmod (To_C (Path), Mode) = 0, "chmod of " & Path);
-      return Path;
-   end Token_File;
-
    function Own_Address return String is
       Process : constant Natural := Natural (Libc.Getpid);
    begin
       return "127." & Image (64 + Process / 65_536) & "."
         & Image (Process / 256 mod 256) & "." & Image (Process mod 256);
    end Own_Address;
-
-   function Port (Object : Supervisor) return Positive is (Object.Port);
-
-   function Pid (Object : Supervisor) return int is
-     (Object.Process.Pid);
-
-   function Is_Running (Object : in out Supervisor) return Boolean is
-     (Object.Process.Is_Running);
-
-   procedure Send_Signal (Object : Supervisor; Signal : int) is
-   begin
-      Object.Process.Send_Signal (Signal);
-   end Send_Signal;
-
-   function Exit_Status (Object : in out Supervisor) return Integer is
-     (Object.Process.Exit_Status);
-
-   function Log_Length (Object : Supervisor) return Natural is
-     (Object.Process.Count (Errors));
-
-   function Says
-     (Object  : Supervisor;
-      Pattern : String;
-      Within  : Duration := 0.0;
-      After   : Natural  := 0) return Boolean
-   is (Object.Process.Awaited (Errors, Pattern, Within, After) > 0);
 
    procedure Expect_Log
      (Object  : Supervisor;
@@ -193,11 +124,10 @@ package body Supervisors is
       return Instant
    is
       Number : constant Natural :=
-        Object.Process.Awaited (Errors, Pattern, After => After);
+        Object.Awaited (Errors, Pattern, After => After);
    begin
       return
-        (if Number = 0 then Never
-         else Object.Process.Element (Errors, Number).Time);
+        (if Number = 0 then Never else Object.Element (Errors, Number).Time);
    end Time_Of;
 
    function Count_Of
@@ -208,37 +138,40 @@ package body Supervisors is
       Number : Natural := After;
    begin
       loop
-         Number := Object.Process.Awaited (Errors, Pattern, After => Number);
+         Number := Object.Awaited (Errors, Pattern, After => Number);
          exit when Number = 0;
          Result := Result + 1;
       end loop;
       return Result;
    end Count_Of;
 
-   function Text_Of (Object : Supervisor; From : Stream) return String is
-      Result : Unbounded_String;
+   procedure Expect_End (Object : in out Supervisor) is
    begin
-      for Number in 1 .. Object.Process.Count (From) loop
-         Append
-           (Result, Object.Process.Element (From, Number).Text & ASCII.LF);
+      Object.Send_Signal (Libc.Sigterm);
+      Object.Expect_Exit (0);
+   end Expect_End;
+
+   procedure Start_Monitor
+     (Tool : in out Child; Port : Positive; Lines : String;
+      Options : String := "") is
+   begin
+      Tool.Launch
+        (Programs.Monitor,
+         Words ("--script - --port" & Port'Image & " " & Options),
+         "console monitor " & Options);
+      for Line of Words (Lines, '|') loop
+         Tool.Put_Line (Line);
       end loop;
-      return To_String (Result);
-   end Text_Of;
+   end Start_Monitor;
 
-   function Log_Text (Object : Supervisor) return String is
-     (Text_Of (Object, Errors));
-
-   function Output_Text (Object : Supervisor) return String is
-     (Text_Of (Object, Output));
-
-   procedure Ignore_Log (Object : in out Supervisor) is
+   procedure Expect_Monitor
+     (Port : Positive; Lines, Options : String; Status : Integer)
+   is
+      Tool : Child;
    begin
-      Object.Process.Ignore (Errors);
-   end Ignore_Log;
-
-   procedure Stop (Object : in out Supervisor) is
-   begin
-      Object.Process.Stop;
-   end Stop;
+      Start_Monitor (Tool, Port, Lines, Options);
+      Tool.Close_Input;
+      Tool.Expect_Exit (Status);
+   end Expect_Monitor;
 
 end Supervisors;

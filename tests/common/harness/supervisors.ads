@@ -1,14 +1,18 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  The supervisor under test, as a separate process, and its log.
+--  The supervisor under test, as a separate process, and its log, which is its
+--  standard error; and the project's own monitor.
 
 with Interfaces.C;    use Interfaces.C;
 
 with Child_Processes; use Child_Processes;
 with Instants;        use Instants;
+with Programs;
 
 package Supervisors is
 
-   type Supervisor is tagged limited private;
+   type Supervisor is new Child with record
+      Port : Natural := 0;
+   end record;
    --  Killed at the end of its scope
 
    procedure Start
@@ -22,9 +26,9 @@ package Supervisors is
    --  separated by blanks. Launcher, such as "setpriv --no-new-privs", runs
    --  it. Program is another copy of it.
 
-   procedure Be_Patient;
-   --  From now on Start gives --answer-timeout 300, unless Options have one: a
-   --  processor that stands still for 80 ms is no silent robot
+   Patient : Boolean := False;
+   --  Start gives --answer-timeout 300, unless Options have one: a processor
+   --  that stands still for 80 ms is no silent robot
 
    procedure Run
      (Object   : in out Supervisor;
@@ -54,37 +58,18 @@ package Supervisors is
    function Token_File
      (Text : String   := Token & ASCII.LF;
       Mode : unsigned := 8#600#;
-      Name : String   := "token") return String;
-   --  The path of a file for --token, made anew
+      Name : String   := "token") return String
+   is (Programs.New_File (Name, Text, Mode));
+   --  The path of a file for --token
 
    function Own_Address return String;
    --  One of 127.0.0.0/8 that no other running test uses: all ports are free
-
-   function Port (Object : Supervisor) return Positive;
-
-   function Pid (Object : Supervisor) return int;
-
-   function Is_Running (Object : in out Supervisor) return Boolean;
-
-   procedure Send_Signal (Object : Supervisor; Signal : int);
-
-   function Exit_Status (Object : in out Supervisor) return Integer;
-
-   function Log_Length (Object : Supervisor) return Natural;
-
-   function Says
-     (Object  : Supervisor;
-      Pattern : String;
-      Within  : Duration := 0.0;
-      After   : Natural  := 0) return Boolean;
-   --  Whether a line of the log after number After contains Pattern, now or
-   --  within the time
 
    procedure Expect_Log
      (Object  : Supervisor;
       Pattern : String;
       After   : Natural := 0);
-   --  Waits until it Says so; raises Failed if it never does
+   --  Waits until its log says so; raises Failed if it never does
 
    function Time_Of
      (Object : Supervisor; Pattern : String; After : Natural := 0)
@@ -96,20 +81,17 @@ package Supervisors is
       return Natural;
    --  Number of lines after number After that contain Pattern
 
-   function Log_Text (Object : Supervisor) return String;
-   function Output_Text (Object : Supervisor) return String;
-   --  All lines of standard error and of standard output
+   procedure Expect_End (Object : in out Supervisor);
+   --  Sends SIGTERM; raises Failed unless it ends with status 0
 
-   procedure Ignore_Log (Object : in out Supervisor);
-   --  Stops reading it, so that its pipe fills up
+   procedure Start_Monitor
+     (Tool : in out Child; Port : Positive; Lines : String;
+      Options : String := "");
+   --  The project's own monitor, with a script of Lines, which '|' separates;
+   --  it can be given more
 
-   procedure Stop (Object : in out Supervisor);
-
-private
-
-   type Supervisor is tagged limited record
-      Process : Child;
-      Port    : Natural := 0;
-   end record;
+   procedure Expect_Monitor
+     (Port : Positive; Lines, Options : String; Status : Integer);
+   --  The same, to its end; raises Failed unless that is with Status
 
 end Supervisors;

@@ -23,9 +23,9 @@ package body Real_Missions is
    procedure Begin_Session (R : in out Rigs.Rig; P : Plan) is
       Unused : Message;
    begin
-      Rigs.Start_Robot (R, Watchdog => True);
+      Rigs.Play (R, Rigs.Guarded);
       R.Monitor.Expect ("COPN", "AACK");
-      Rigs.Search_Arena (R);
+      Rigs.Play (R, Rigs.Arena_Searched);
       R.Monitor.Send_Line ("CACO");
       R.Monitor.Expect ("CPCO", "AACK");
       loop

@@ -307,31 +307,22 @@ static int facts_of_device(struct stat *to) {
 
 // ------------------------------------------- In place of the C library's
 
-static int pass_open(const char *path, int flags, mode_t mode) {
+int open(const char *path, int flags, ...) {
+  mode_t mode = 0;
+  if ((flags & O_CREAT) != 0 || (flags & O_TMPFILE) == O_TMPFILE) {
+    va_list rest;
+    va_start(rest, flags);
+    mode = va_arg(rest, mode_t);
+    va_end(rest);
+  }
   return is_camera(path)
              ? open_device()
              : (int)syscall(SYS_openat, AT_FDCWD, path, flags, mode);
 }
 
-#define PASS_OPEN(path, flags)                                                 \
-  mode_t mode = 0;                                                             \
-  if ((flags & O_CREAT) != 0 || (flags & O_TMPFILE) == O_TMPFILE) {            \
-    va_list rest;                                                              \
-    va_start(rest, flags);                                                     \
-    mode = va_arg(rest, mode_t);                                               \
-    va_end(rest);                                                              \
-  }                                                                            \
-  return pass_open(path, flags, mode)
-
-int open(const char *path, int flags, ...) { PASS_OPEN(path, flags); }
-int open64(const char *path, int flags, ...) { PASS_OPEN(path, flags); }
-
-int __open_2(const char *path, int flags);
-int __open_2(const char *path, int flags) { return pass_open(path, flags, 0); }
-int __open64_2(const char *path, int flags);
-int __open64_2(const char *path, int flags) {
-  return pass_open(path, flags, 0);
-}
+int open64(const char *path, int flags, ...) __attribute__((alias("open")));
+int __open_2(const char *path, int flags) { return open(path, flags); }
+int __open64_2(const char *path, int flags) { return open(path, flags); }
 
 int stat(const char *restrict path, struct stat *restrict to) {
   return is_camera(path)
@@ -339,9 +330,9 @@ int stat(const char *restrict path, struct stat *restrict to) {
              : (int)syscall(SYS_newfstatat, AT_FDCWD, path, to, 0);
 }
 
-int stat64(const char *restrict path, struct stat64 *restrict to) {
-  return stat(path, (struct stat *)to);  // the same where this runs
-}
+// the same where this runs
+int stat64(const char *restrict path, struct stat64 *restrict to)
+    __attribute__((alias("stat")));
 
 int ioctl(int file, unsigned long request, ...) {
   va_list rest;
@@ -367,9 +358,7 @@ void *mmap(void *where, size_t size, int access, int flags, int file,
 }
 
 void *mmap64(void *where, size_t size, int access, int flags, int file,
-             off64_t offset) {
-  return mmap(where, size, access, flags, file, offset);
-}
+             off64_t offset) __attribute__((alias("mmap")));
 
 int close(int file) {
   if (file >= 0 && file == device) {
