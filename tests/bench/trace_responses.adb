@@ -338,11 +338,13 @@ package body Trace_Responses is
       then
          Take_Image (S, Item.Time);
       elsif Who.Name = "th_mission" and then N = "release"
+        and then Item.Command = 0
         and then Is_Under_Way ("th_captureImg")
         and then not Is_Under_Way ("")
       then
-         --  by the search. An image that comes while the robot is asked does
-         --  not count: what is ordered then follows from the answer
+         --  by the search; the line's are for the mission's command. An image
+         --  that comes while the robot is asked does not count: what is ordered
+         --  then follows from the answer
          S.Seen := (if Who.Depth = 0 then S.Taken else Never);
       elsif Who.Name = "th_mission" and then Item.Phase = 'E'
         and then Who.Depth = 1
@@ -488,6 +490,8 @@ package body Trace_Responses is
          Make (Own, Missions => True);
       end if;
       Read ((if Path = "" then Own else Path), True, Beside, Orders);
+      Check (Path /= "" or else Orders.Times.Count > 0,
+             "no mission has ordered anything after an image");
       if Orders.Times.Count > 0 then
          for Name in Mission_Begin .. Mission_Told loop
             Put (Name_Of (Name), Beside (Name));
