@@ -342,9 +342,9 @@ package body Trace_Responses is
         and then Is_Under_Way ("th_captureImg")
         and then not Is_Under_Way ("")
       then
-         --  by the search; the line's are for the mission's command. An image
-         --  that comes while the robot is asked does not count: what is ordered
-         --  then follows from the answer
+         --  by the search; the line's releases are for the mission's command.
+         --  An image that comes while the robot is asked does not count: what
+         --  is ordered then follows from the answer
          S.Seen := (if Who.Depth = 0 then S.Taken else Never);
       elsif Who.Name = "th_mission" and then Item.Phase = 'E'
         and then Who.Depth = 1

@@ -24,6 +24,7 @@ with Robot_Bench;
 with Robot_Core;
 with Robot_Motion;
 with Scenes;
+with Whole_Sends;      use Whole_Sends;
 
 package body Arena_Camera is
 
@@ -348,27 +349,6 @@ package body Arena_Camera is
 
       NL : constant String := (ASCII.CR, ASCII.LF);
 
-      procedure Send (Data : Stream_Element_Array) is
-         --  All of it, or Socket_Error
-         First : Stream_Element_Offset := Data'First;
-         Last  : Stream_Element_Offset;
-      begin
-         while First <= Data'Last loop
-            Send_Socket (Socket, Data (First .. Data'Last), Last);
-            if Last < First then
-               raise Socket_Error with "nothing taken";
-            end if;
-            First := Last + 1;
-         end loop;
-      end Send;
-
-      procedure Send (Text : String) is
-         Data : Stream_Element_Array (1 .. Text'Length)
-           with Import, Address => Text'Address;
-      begin
-         Send (Data);
-      end Send;
-
       function Is_Gone return Boolean is
          --  The viewer has closed
          Files : Libc.Poll_Array (1 .. 1) :=
@@ -446,7 +426,7 @@ package body Arena_Camera is
       procedure Reply (Status, Kind : String; Length : Image_Length) is
          --  The head
       begin
-         Send ("HTTP/1.0 " & Status & NL
+         Send (Socket, "HTTP/1.0 " & Status & NL
                & "Content-Type: " & Kind & NL
                & "Content-Length:" & Length'Image & NL
                & "Cache-Control: no-store" & NL
@@ -456,14 +436,14 @@ package body Arena_Camera is
       procedure Reply (Status, Text : String) is
       begin
          Reply (Status, "text/plain", Text'Length + 1);
-         Send (Text & ASCII.LF);
+         Send (Socket, Text & ASCII.LF);
       end Reply;
 
       procedure Send_Image (Length : Image_Length) is
          Data : Stream_Element_Array (1 .. Length)
            with Import, Address => Copies (Who)'Address;
       begin
-         Send (Data);
+         Send (Socket, Data);
       end Send_Image;
 
       Path    : Unbounded_String;
@@ -500,7 +480,7 @@ package body Arena_Camera is
             Send_Image (Length);
             return;
          end if;
-         Send ("HTTP/1.0 200 OK" & NL
+         Send (Socket, "HTTP/1.0 200 OK" & NL
                & "Content-Type: "
                & "multipart/x-mixed-replace; boundary=frame" & NL
                & "Cache-Control: no-store" & NL
@@ -509,12 +489,12 @@ package body Arena_Camera is
             Next_Image (Length, Bare);
             exit when Length = 0;
             if not Bare then
-               Send ("--frame" & NL
+               Send (Socket, "--frame" & NL
                      & "Content-Type: image/jpeg" & NL
                      & "Content-Length:" & Length'Image & NL & NL);
             end if;
             Send_Image (Length);
-            Send (NL);
+            Send (Socket, NL);
          end loop;
 
       elsif Path = "" then

@@ -13,6 +13,7 @@ with GNAT.Sockets;              use GNAT.Sockets;
 with Expectations;              use Expectations;
 with Own_Process;
 with Plain_Numbers;             use Plain_Numbers;
+with Whole_Sends;               use Whole_Sends;
 
 package body Paced_Cameras is
 
@@ -98,26 +99,6 @@ package body Paced_Cameras is
       Number  : Natural := 0;
       Chance  : Generator;
 
-      procedure Send (Data : Stream_Element_Array) is
-         --  All of it
-         First : Stream_Element_Offset := Data'First;
-      begin
-         while First <= Data'Last loop
-            Send_Socket (Inner.Client, Data (First .. Data'Last), Last);
-            if Last < First then
-               raise Socket_Error;
-            end if;
-            First := Last + 1;
-         end loop;
-      end Send;
-
-      procedure Send (Text : String) is
-         Data : Stream_Element_Array (1 .. Text'Length)
-           with Import, Address => Text'Address;
-      begin
-         Send (Data);
-      end Send;
-
       Comment : constant String :=
         (Character'Val (16#FF#), Character'Val (16#FE#), ASCII.NUL,
          Character'Val (Mark_Length + 2));
@@ -129,7 +110,7 @@ package body Paced_Cameras is
       Set_Socket_Option
         (Inner.Client, IP_Protocol_For_TCP_Level, (No_Delay, True));
       Receive_Socket (Inner.Client, Request, Last);
-      Send ("HTTP/1.0 200 OK" & Line_End
+      Send (Inner.Client, "HTTP/1.0 200 OK" & Line_End
             & "Content-Type: multipart/x-mixed-replace; boundary=frame"
             & Line_End & Line_End);
       Nominal := Now;
@@ -138,16 +119,17 @@ package body Paced_Cameras is
          delay (Nominal - Now)
            + Inner.Jitter * Duration (2.0 * Random (Chance) - 1.0);
          Number := Number + 1;
-         Send ("--frame" & Line_End & "Content-Type: image/jpeg" & Line_End
+         Send (Inner.Client,
+               "--frame" & Line_End & "Content-Type: image/jpeg" & Line_End
                & "Content-Length:"
                & Integer'Image (Inner.Image'Length + Mark_Length + 4)
                & Line_End & Line_End);
-         Send (Inner.Image (1 .. 2));
-         Send (Comment
+         Send (Inner.Client, Inner.Image (1 .. 2));
+         Send (Inner.Client, Comment
                & Padded (Long_Long_Integer (Number), Digits_Of_Number)
                & Padded (Long_Long_Integer (Now), Digits_Of_Time));
-         Send (Inner.Image (3 .. Inner.Image'Last));
-         Send (Line_End);
+         Send (Inner.Client, Inner.Image (3 .. Inner.Image'Last));
+         Send (Inner.Client, Line_End);
       end loop;
    exception
       when Socket_Error =>
