@@ -36,6 +36,13 @@ package Decimals is
    with Pre => First >= T'First and then Last <= T'Last;
    --  Also True where Last < First.
 
+   function Is_Numeral
+     (T : Text; First : Positive; Last : Natural) return Boolean
+   is (First >= T'First
+       and then Last in First .. T'Last
+       and then Are_Digits (T, First, Last));
+   --  Digits stand in First .. Last, one at least.
+
    function Largest (Count : Digit_Count) return Number is
      (case Count is
          when 1 => 9,
@@ -52,10 +59,7 @@ package Decimals is
    is ((if Last = First then 0 else 10 * Value (T, First, Last - 1))
        + Digit_Value (T (Last)))
    with
-     Pre  => First >= T'First
-       and then Last in First .. T'Last
-       and then Last - First < Max_Digits
-       and then Are_Digits (T, First, Last),
+     Pre  => Is_Numeral (T, First, Last) and then Last - First < Max_Digits,
      Post => Value'Result <= Largest (Last - First + 1),
      Subprogram_Variant => (Decreases => Last);
    --  The number written in First .. Last, eight digits at most.
@@ -63,9 +67,7 @@ package Decimals is
    function Saturated_Value
      (T : Text; First : Positive; Last : Natural) return Number
    with
-     Pre => First >= T'First
-       and then Last in First .. T'Last
-       and then Are_Digits (T, First, Last),
+     Pre  => Is_Numeral (T, First, Last),
      Post =>
        --  leading zeros, then at most eight digits: exact
        (if Last - First < Max_Digits then
@@ -84,18 +86,14 @@ package Decimals is
       Last  : in out Natural)
    with
      Pre  => Into'First = 1
-       and then Into'Last < Integer'Last
-       and then Last <= Into'Last
+       and then Into'Last in Last .. Integer'Last - 1
        and then Into'Last - Last >= Max_Digits,
      Post => Last in Last'Old + Width .. Last'Old + Max_Digits
-       and then Are_Digits (Into, Last'Old + 1, Last)
+       and then Is_Numeral (Into, Last'Old + 1, Last)
        and then Value (Into, Last'Old + 1, Last) = N
        and then (Last - Last'Old = Width
                  or else N > Largest (Last - Last'Old - 1))
-       and then
-         (for all I in Into'Range =>
-            (if I <= Last'Old or else I > Last then
-                Into (I) = Into'Old (I)));
+       and then (for all I in 1 .. Last'Old => Into (I) = Into'Old (I));
    --  Writes N after Last, padded with zeros to Width digits, and moves Last
    --  to its last digit.
 
@@ -103,13 +101,12 @@ package Decimals is
      (A, B : Text; First : Positive; Last : Natural)
    with
      Ghost,
-     Pre  => First >= A'First
-       and then First >= B'First
-       and then Last in First .. Natural'Min (A'Last, B'Last)
+     Pre  => Is_Numeral (A, First, Last)
        and then Last - First < Max_Digits
-       and then Are_Digits (A, First, Last)
+       and then First >= B'First
+       and then Last <= B'Last
        and then (for all I in First .. Last => A (I) = B (I)),
-     Post => Are_Digits (B, First, Last)
+     Post => Is_Numeral (B, First, Last)
        and then Value (A, First, Last) = Value (B, First, Last),
      Subprogram_Variant => (Decreases => Last);
    --  The value depends only on the digits of the number.

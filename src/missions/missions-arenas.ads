@@ -125,6 +125,16 @@ package Missions.Arenas with SPARK_Mode, Pure is
        and then Width (M) = Micrometres (Size.Width) * 10_000
        and then Height (M) = Micrometres (Size.Height) * 10_000;
 
+   function Is_Place (M : Map; P : Vision.Point; Where : Place) return Boolean
+   is (Is_In_Image (P)
+       and then Whole (M, P) in Divisor
+       and then Is_Near (M, Where)
+       and then Is_Quotient (Where.X, Width (M), X_Part (M, P), Whole (M, P))
+       and then
+         Is_Quotient (Where.Y, Height (M), Y_Part (M, P), Whole (M, P)))
+   with Pre => Is_Usable (M);
+   --  The place of P, less than a micrometre of each coordinate lost
+
    procedure Locate
      (M     : Map;
       P     : Vision.Point;
@@ -132,15 +142,7 @@ package Missions.Arenas with SPARK_Mode, Pure is
       Known : out Boolean)
    with
      Pre  => Is_Usable (M),
-     Post =>
-       (if Known then
-          Is_In_Image (P)
-          and then Whole (M, P) in Divisor
-          and then Is_Near (M, Where)
-          and then Is_Quotient (Where.X, Width (M), X_Part (M, P),
-                                Whole (M, P))
-          and then Is_Quotient (Where.Y, Height (M), Y_Part (M, P),
-                                Whole (M, P)));
+     Post => (if Known then Is_Place (M, P, Where));
    --  Known: in the arena or around it, at most its own size away. Proved:
    --  nothing overflows, and less than a micrometre is lost. What the corners
    --  lost by their rounding is derived in the body (Loss_Limit), and tested

@@ -19,7 +19,7 @@ package body Missions.Grounds with SPARK_Mode is
       Missions.Arenas.Make (G.View.Arena, Size, Map, Usable);
       Targets := (others => <>);
       May_Begin := False;
-      if G.Line.Mode = Robot.Session.Not_Started then
+      if Robot.Line_Status.Mode (G.Line) = Robot.Session.Not_Started then
          Why := Robot_Not_Started;
       elsif not Vision.Mode.Is_Open (G.View) then
          Why := Camera_Closed;

@@ -46,7 +46,7 @@ package Missions.Grounds with SPARK_Mode is
      Pre  => P.Count in Point_Number,
      Post =>
        (if May_Begin then
-           G.Line.Mode /= Robot.Session.Not_Started
+           Robot.Line_Status.Mode (G.Line) /= Robot.Session.Not_Started
            and then Vision.Mode.Images_Flow (G.View)
            and then G.View.Position_On
            and then G.View.Confirmed

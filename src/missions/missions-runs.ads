@@ -97,14 +97,11 @@ package Missions.Runs with SPARK_Mode is
    procedure Step (R : in out Run; Now : Microseconds; Next : out Action)
    with
      Post => Is_Kept (R, R'Old)
-       and then (if Has_Ended (R) then Next.Kind in Stop | Leave
-                 else Next.Kind not in Stop | Leave)
+       and then Has_Ended (R) = (Next.Kind in Stop | Leave)
        and then
          (case Next.Kind is
-             when Ask             =>
-               Next.Request.Kind = Commands.Get_Moving,
-             when Stop            =>
-               Next.Request.Kind = Commands.Stop,
+             when Ask             => Next.Request.Kind = Commands.Get_Moving,
+             when Stop            => Next.Request.Kind = Commands.Stop,
              when Order           =>
                Orders_Left (R) < Orders_Left (R'Old)
                and then Is_Permitted (R, Next.Request, Now),

@@ -216,38 +216,18 @@ package Monitor.Mailboxes with SPARK_Mode is
             First_Unsolicited'Result /=
               (if B.Imaged then Image else Position));
 
+   function Is_Due (B : Mailbox) return Boolean is
+     (Any_Waits (B) and then (Pending (B) = 0 or else B.Held.Released));
+   --  An unsolicited message waits, and is not held back
+
    function Next (B : Mailbox) return Choice is
      (if not B.Open then Nothing
-      elsif Is_Ready (B)
-        and then not (Any_Waits (B) and then B.Held.Released
-                      and then B.Last = Answer)
+      elsif Is_Ready (B) and then not (Is_Due (B) and then B.Last = Answer)
       then Answer
-      elsif Any_Waits (B)
-        and then (Pending (B) = 0 or else B.Held.Released)
-      then First_Unsolicited (B)
-      else Nothing)
-   with
-     Post =>
-       --  only what waits, and only in a session
-       (case Next'Result is
-           when Nothing     => True,
-           when Answer      => B.Open and then Is_Ready (B),
-           when Unsolicited => B.Open and then Waits (B, Next'Result))
-
-       --  an answer precedes unsolicited messages, unless these have been held
-       --  back for long enough; then the two alternate
-       and then
-         (if B.Open and then Is_Ready (B) then
-            (Next'Result = Answer) =
-              (not B.Held.Released or else B.Last /= Answer
-               or else not Any_Waits (B)))
-
-       --  unsolicited messages are held back while an answer is awaited, for a
-       --  limited time
-       and then
-         (if B.Open and then Any_Waits (B) and then not Is_Ready (B) then
-            (Next'Result /= Nothing) =
-              (Pending (B) = 0 or else B.Held.Released));
+      elsif Is_Due (B) then First_Unsolicited (B)
+      else Nothing);
+   --  An answer precedes unsolicited messages. If these have been held back
+   --  for long enough, the two alternate
 
    Answer_Gap : constant Milliseconds := 4;
    --  at most, before an answer (docs/wire.md)
@@ -387,6 +367,20 @@ package Monitor.Mailboxes with SPARK_Mode is
 
    --  The sending
 
+   function Is_Taken (Next : Item; B, Before : Mailbox) return Boolean is
+     (case Next.Kind is
+         when Nothing => True,
+         when Answer  =>
+           (if Next.Is_Image then First (Before).State = Ready_Image
+            else Next.Line = First (Before).Line)
+           and then Pending (B) < Pending (Before),
+         when Text    =>
+           Next.Line = Text_Queues.Element_At (Before.Texts, 1),
+         when Image   => Next.Is_Image and then not B.Image,
+         when others  => Next.Line = Before.Lines (Next.Kind))
+   with Ghost, Pre => Next.Kind in Nothing | Mailboxes.Next (Before);
+   --  It waited in Before, and does not wait in B
+
    procedure Take
      (B         : in out Mailbox;
       Between   : Milliseconds;
@@ -401,17 +395,7 @@ package Monitor.Mailboxes with SPARK_Mode is
           then Mailboxes.Next (B'Old)
           else Nothing)
        and then Next.Unsent = (Next.Kind /= Nothing)
-       and then
-         (case Next.Kind is
-             when Nothing    => True,
-             when Answer     =>
-               (if Next.Is_Image then First (B'Old).State = Ready_Image
-                else Next.Line = First (B'Old).Line)
-               and then Pending (B) < Pending (B'Old),
-             when Text       =>
-               Next.Line = Text_Queues.Element_At (B'Old.Texts, 1),
-             when Image      => Next.Is_Image and then not B.Image,
-             when others     => Next.Line = B'Old.Lines (Next.Kind))
+       and then Is_Taken (Next, B, B'Old)
        and then
          (if Next.Kind /= Ending then
              B.Lines (Ending) = B'Old.Lines (Ending));

@@ -5,28 +5,28 @@ with Bytes;          use type Bytes.Byte;
 with Command_Lines;
 with Journal;
 with Options;
+with Robot.Health;
 with Robot.Protocol; use Robot.Protocol;
 with Robot.Serial_Line;
-with Robot.Session;
+with Robot.Session;  use Robot.Session;
 with Texts;
 with Trace;
 
 package body Robot.Exchange with SPARK_Mode is
 
-   use type Robot.Session.Mode_Kind;
    use type Commands.Outcome_Kind;
    use type Commands.Request_Kind;
-   use type Robot.Session.Step_Kind;
 
    procedure Open_Device
-     (Held : in out Robot.Line_Status.Dialogue; Success : out Boolean)
+     (Held : in out Line_Status.Dialogue; Success : out Boolean)
    is
       Chosen : Options.Values renames Command_Lines.Given.Chosen;
       Reason : Texts.Text;
    begin
-      Robot.Serial_Line.Open (Chosen.Serial, Success, Reason);
+      Serial_Line.Open (Chosen.Serial, Success, Reason);
       Held.Told := False;
       Held.Unasked := 0;
+      Held.Gone := False;
       if Success then
          Journal.Put
            (Options.Info, "robot line open on " & Texts.Image (Chosen.Serial));
@@ -38,23 +38,27 @@ package body Robot.Exchange with SPARK_Mode is
       end if;
    end Open_Device;
 
-   procedure Discard_Unasked
-     (Held      : in out Robot.Line_Status.Dialogue;
+   procedure Discard_Input
+     (Held      : in out Line_Status.Dialogue;
       Kind      : Command_Kind;
+      In_Step   : Boolean;
       Until_Now : Time;
       Talks     : out Boolean)
    is
       --  Discards what has come before a command of Kind is sent. Talks: there
-      --  was a whole frame. That may be noise, or the device goes on like that
+      --  was a whole frame in step. That may be noise, or the device goes on
+      --  like that
       In_Frame : Frame;
       Data     : Bytes.Byte_Array (1 .. Max_Frame);
       Length   : Natural;
-      Ignored  : Boolean;
    begin
       Talks := False;
-      Robot.Serial_Line.Read (Data, Length, Until_Now, Ignored);
+      Serial_Line.Read (Data, Length, Until_Now, Held.Gone);
       if Length > 0 then
-         Robot.Serial_Line.Discard_Input;
+         Serial_Line.Discard_Input;
+      end if;
+      if not In_Step then
+         return;
       end if;
       for I in 1 .. Length loop
          if Data (I) /= Terminator then
@@ -75,58 +79,48 @@ package body Robot.Exchange with SPARK_Mode is
            (Options.Warning,
             "the device of the robot's line sends without being asked");
       end if;
-   end Discard_Unasked;
+   end Discard_Input;
 
    procedure Exchange
-     (Who       : Schedule.Task_Name;
-      Held      : in out Robot.Line_Status.Dialogue;
-      Item      : Command;
-      Mode      : Robot.Session.Mode_Kind;
-      Skip_Late : Boolean;
-      Last      : out Robot.Session.Step_Result)
-   with
-     Pre =>
-       (if Is_Movement (Item) then Mode /= Robot.Session.Not_Started)
+     (Who   : Schedule.Task_Name;
+      Held  : in out Line_Status.Dialogue;
+      Item  : Command;
+      State : Session.State;
+      Last  : out Step_Result)
+   with Pre => (if Is_Movement (Item) then State.Mode /= Not_Started)
    is
-      --  Sends Item and waits for its answer. Skip_Late: frames of other
+      --  Sends Item and waits for its answer. Out of step, frames of other
       --  classes are late answers to earlier commands, and are skipped.
       --  Otherwise none is due before, and what a device sends that goes on
       --  sending is no answer
+      In_Step  : constant Boolean := Health.In_Step (State.Health);
       In_Frame : Frame;
       Data     : Bytes.Byte_Array (1 .. Max_Frame);
       Ignored  : Bytes.Byte_Array (1 .. Max_Frame);
       Length   : Natural;
-      Sent     : Boolean;
-      Alive    : Boolean;
-      Talks    : Boolean := False;
+      Talks    : Boolean;
       Has_Left : Time;
       Deadline : Time;
       Now      : Time;
    begin
       Last := (others => <>);
       Now := Clock;
-      if Skip_Late then
-         Robot.Serial_Line.Discard_Input;
-      else
-         Discard_Unasked (Held, Item.Kind, Now, Talks);
-      end if;
-      Robot.Serial_Line.Write (Who, Item, Mode, Length, Sent);
+      Discard_Input (Held, Item.Kind, In_Step, Now, Talks);
+      Serial_Line.Write (Who, Item, State.Mode, Length);
       Has_Left := Now + Length * Schedule.Byte_Time;
       Deadline := Has_Left
         + Milliseconds (Command_Lines.Given.Chosen.Answer_Timeout);
       Trace.Put (Trace.Wait, Who, Label => Trace.Answer);
-      if not Sent or else Held.Unasked > 4
+      if Length = 0 or else Held.Unasked > 4
         or else (Held.Unasked > 0 and then Item.Kind in Start | Start_Watchdog)
       then
          return;
       end if;
       loop
-         Robot.Serial_Line.Read (Data, Length, Deadline, Alive);
+         Serial_Line.Read (Data, Length, Deadline, Held.Gone);
          Now := Clock;
          --  before it has left the robot cannot have heard the command
-         if not Alive or else Length = 0
-           or else (Talks and then Now < Has_Left)
-         then
+         if Length = 0 or else (Talks and then Now < Has_Left) then
             return;
          end if;
          for I in 1 .. Length loop
@@ -137,10 +131,11 @@ package body Robot.Exchange with SPARK_Mode is
                Last.Text := Text_Of (In_Frame);
                In_Frame.Length := 0;
                Last.Ok :=
-                 (if Skip_Late then Is_Answer (Last.Reply.Kind, Item.Kind)
-                  else Last.Reply.Kind not in Failed_Reply
-                    and then not (Talks and then I < Length));
-               if not Last.Ok and then not Skip_Late then
+                 (if In_Step then
+                     Last.Reply.Kind not in Failed_Reply
+                     and then not (Talks and then I < Length)
+                  else Is_Answer (Last.Reply.Kind, Item.Kind));
+               if not Last.Ok and then In_Step then
                   return;
                end if;
             end if;
@@ -150,29 +145,29 @@ package body Robot.Exchange with SPARK_Mode is
          --  a line that never falls silent must not postpone the time-out
          exit when Now >= Deadline;
       end loop;
-      if Last.Ok and then (Skip_Late or else Talks) then
+      if Last.Ok and then (Talks or else not In_Step) then
          --  a device that goes on sending is no robot
-         Robot.Serial_Line.Read (Ignored, Length, Deadline, Alive);
-         Last.Ok := Alive and then Length = 0;
+         Serial_Line.Read (Ignored, Length, Deadline, Held.Gone);
+         Last.Ok := not Held.Gone and then Length = 0;
       end if;
    end Exchange;
 
    procedure Take_Step
      (Who   : Schedule.Task_Name;
-      Held  : in out Robot.Line_Status.Dialogue;
-      Mode  : Robot.Session.Mode_Kind;
-      Step  : Robot.Session.Step;
-      Last  : out Robot.Session.Step_Result)
+      Held  : in out Line_Status.Dialogue;
+      State : Session.State;
+      Step  : Session.Step;
+      Last  : out Step_Result)
    is
-      Ignored  : Frame_Length;
+      Length   : Frame_Length;
       All_Sent : Boolean;
    begin
       Last := (others => <>);
       case Step.Kind is
-         when Robot.Session.Open_Device =>
+         when Open_Device =>
             Open_Device (Held, Last.Ok);
-         when Robot.Session.Close_Device =>
-            Robot.Serial_Line.Close (All_Sent);
+         when Close_Device =>
+            Serial_Line.Close (All_Sent);
             if All_Sent then
                Journal.Put (Options.Info, "robot line closed");
             else
@@ -181,49 +176,47 @@ package body Robot.Exchange with SPARK_Mode is
                   "robot line closed: its device did not take all within "
                   & "100 ms, the rest was discarded");
             end if;
-         when Robot.Session.Send =>
-            Robot.Serial_Line.Write
-              (Who, Step.Command, Mode, Ignored, Last.Ok);
-         when Robot.Session.Exchange | Robot.Session.Synchronise =>
-            Exchange
-              (Who, Held, Step.Command, Mode,
-               Step.Kind = Robot.Session.Synchronise, Last);
-         when Robot.Session.Finish =>
+         when Send =>
+            Serial_Line.Write (Who, Step.Command, State.Mode, Length);
+            Last.Ok := Length > 0;
+         when Session.Exchange =>
+            Exchange (Who, Held, Step.Command, State, Last);
+         when Finish =>
             null;
       end case;
    end Take_Step;
 
    procedure Carry_Out
      (Who     : Schedule.Task_Name;
-      Held    : in out Robot.Line_Status.Dialogue;
+      Held    : in out Line_Status.Dialogue;
       Request : Commands.Request;
       Result  : out Commands.Outcome)
    is
-      State    : Robot.Session.State := Held.State;
-      Progress : Robot.Session.Progress;
-      Step     : Robot.Session.Step;
-      Last     : Robot.Session.Step_Result;
+      State    : Session.State := Held.State;
+      Progress : Session.Progress;
+      Step     : Session.Step;
+      Last     : Step_Result;
    begin
-      Robot.Session.Start_Request
+      Start_Request
         (State,
          (if Request.Kind = Commands.Open_Line and then State.Line_Open
           then (Kind => Commands.Ping, others => <>)
           else Request),
          Progress);
       loop
-         pragma Loop_Invariant (Robot.Session.Is_Under_Way (State, Progress));
+         pragma Loop_Invariant (Is_Under_Way (State, Progress));
          pragma Loop_Variant
-           (Decreases => Robot.Session.Steps_Left (State, Progress));
-         Step := Robot.Session.Next_Step (State, Progress);
-         exit when Step.Kind = Robot.Session.Finish;
-         if Robot.Session.Is_Sent (Step)
+           (Decreases => Steps_Left (State, Progress));
+         Step := Next_Step (State, Progress);
+         exit when Step.Kind = Finish;
+         if Is_Sent (Step)
            and then Step.Command.Kind in Start | Start_Watchdog | Reload
          then
             Held.Counted := Clock;
          end if;
-         Take_Step (Who, Held, State.Mode, Step, Last);
+         Take_Step (Who, Held, State, Step, Last);
          Trace.Put (Trace.Resume, Who);
-         Robot.Session.Continue_Request (State, Progress, Last);
+         Continue_Request (State, Progress, Last);
       end loop;
       Held.State := State;
       Result := Progress.Result;

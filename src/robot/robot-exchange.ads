@@ -10,7 +10,7 @@ private package Robot.Exchange with SPARK_Mode is
 
    procedure Carry_Out
      (Who     : Schedule.Task_Name;
-      Held    : in out Robot.Line_Status.Dialogue;
+      Held    : in out Line_Status.Dialogue;
       Request : Commands.Request;
       Result  : out Commands.Outcome);
    --  To open an open line asks whether the robot answers. Terminates: a

@@ -10,12 +10,11 @@ package Robot.Health with SPARK_Mode is
    --  after a failed exchange the line is out of step: an answer of the
    --  missing answer's class may still arrive (it is owed). Before the next
    --  command, a probe is sent: a harmless command whose answer has a class
-   --  that is not owed. All that arrives before that answer is discarded as
-   --  late: anything for which Robot.Protocol.Is_Answer (Reply, Probe) is
-   --  False, also a refusal or a damaged frame, as any command damaged on the
-   --  line is refused. The robot answers in order, so after the probe's answer
-   --  nothing is owed any more. A newly opened line is also out of step: the
-   --  answer to a last stop, sent without awaiting it on a lost line or by the
+   --  that is not owed. All that arrives before that answer is discarded
+   --  (Robot.Protocol.Is_Answer), also a refusal, as any command damaged on
+   --  the line is refused. The robot answers in order, so after the probe's
+   --  answer nothing is owed any more. A newly opened line is also out of
+   --  step: the answer to a last stop, sent on a lost line or by the
    --  supervisor's previous run, may still arrive.
 
    Max_Failures : constant := 4;

@@ -24,12 +24,11 @@ package Robot.Line with SPARK_Mode is
    package Monitor_Lost is new Event (Th_Com_Mon_Perdue);
 
    type Turn is record
-      Given  : Boolean := False;
-      To     : Task_Name := Th_Move;
+      To     : Thread_Name := Main;
       Number : Commands.Ticket := 0;
    end record;
-   --  Given: the line is free, and this task is to be woken for the next
-   --  request. Number: of the monitor's order, if it is one
+   --  The task that is to be woken, as the line is free for its request; Main:
+   --  none. Number: of the monitor's order, if it is one
 
    protected Grant with Priority => Schedule.Line_Ceiling is
 
@@ -39,14 +38,14 @@ package Robot.Line with SPARK_Mode is
 
       procedure Take
         (Who     : Task_Name;
-         Item    : in out Robot.Requests.Job;
-         Verdict : out Robot.Requests.Verdict_Kind;
-         Held    : out Robot.Line_Status.Dialogue;
+         Item    : in out Requests.Job;
+         Verdict : out Requests.Verdict_Kind;
+         Held    : out Line_Status.Dialogue;
          Found   : out Boolean);
       --  Found: the line is granted to Who until Finish, for Item. Otherwise
       --  something else has come that is more urgent: Who is woken again
 
-      procedure Get_Status (Current : out Robot.Line_Status.Status);
+      procedure Get_Status (Current : out Line_Status.Status);
 
       procedure Get_Rights
         (Number : Commands.Ticket; Is_Over, By_Hand : out Boolean);
@@ -55,21 +54,19 @@ package Robot.Line with SPARK_Mode is
 
       --  For the procedures below, which wake the task of Next
 
-      procedure Put (Item : Robot.Requests.Job; Next : out Turn);
+      procedure Put (Item : Requests.Job; Next : out Turn);
       procedure Look
-        (From : Robot.Requests.Periodic; Due : out Time; Next : out Turn);
+        (From : Requests.Periodic; Due : out Time; Next : out Turn);
       procedure Finish
-        (Done   : Robot.Requests.Job;
-         Held   : Robot.Line_Status.Dialogue;
+        (Done   : Requests.Job;
+         Held   : Line_Status.Dialogue;
          Result : Commands.Outcome;
          Next   : out Turn);
 
    private
-      Waiting  : Robot.Requests.Requests;
-      State    : Robot.Line_Status.State;
-      Dialogue : Robot.Line_Status.Dialogue;
-      --  while no task has the line
-      Asked    : Time := Time_First;
+      Waiting : Requests.Requests;
+      State   : Line_Status.Status;
+      Asked   : Time := Time_First;
       --  when the mission made its last request
    end Grant;
 
@@ -83,7 +80,7 @@ package Robot.Line with SPARK_Mode is
    --  here
 
    procedure Ask
-     (From    : Robot.Requests.Asked;
+     (From    : Requests.Asked;
       Request : Commands.Request;
       Order   : Commands.Order)
    with
@@ -92,14 +89,14 @@ package Robot.Line with SPARK_Mode is
    --  A request of From itself; Order: that has asked for the mission, if it
    --  is one
 
-   procedure Look (From : Robot.Requests.Periodic; Next : out Time)
+   procedure Look (From : Requests.Periodic; Next : out Time)
    with Annotate => (GNATprove, Terminating);
    --  If something may start by now, its task is woken. Next: when to look
    --  again, for From
 
    procedure Finish
-     (Done   : Robot.Requests.Job;
-      Held   : Robot.Line_Status.Dialogue;
+     (Done   : Requests.Job;
+      Held   : Line_Status.Dialogue;
       Result : Commands.Outcome)
    with Annotate => (GNATprove, Terminating);
    --  Request Done has ended with Result, the robot's dialogue as in Held:

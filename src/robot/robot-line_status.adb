@@ -8,23 +8,20 @@ package body Robot.Line_Status with SPARK_Mode is
    --  caught up with
 
    procedure Note
-     (S      : in out State;
-      Done   : Robot.Requests.Job;
+     (S      : in out Status;
+      Done   : Requests.Job;
       Held   : Dialogue;
       Result : Commands.Outcome;
       Now    : Time) is
    begin
-      S.Known.Failures := Held.State.Health.Failures;
-      S.Known.Open := Held.State.Line_Open;
-      S.Known.Mode := Held.State.Mode;
-      S.Known.Used_At := Now;
+      S.Held := Held;
+      S.Used_At := Now;
       if Starts (Done, Result) then
-         S.Known.Epoch :=
-           (if S.Known.Epoch = Natural'Last then 0 else S.Known.Epoch + 1);
+         S.Epoch := (if S.Epoch = Natural'Last then 0 else S.Epoch + 1);
          S.Unanswered := 0;
          S.Reload_Due := Held.Counted + Schedule.Reload_Period;
          S.Battery_Due := Held.Counted + Schedule.Battery_Offset;
-      elsif Done.From = Robot.Requests.Reload then
+      elsif Done.From = Requests.Reload then
          S.Unanswered :=
            (if Result.Kind = Commands.Timed_Out then
                Unanswered_Count'Min (S.Unanswered, 1) + 1
@@ -35,9 +32,9 @@ package body Robot.Line_Status with SPARK_Mode is
          end if;
          S.Reload_Due := Next_Due
            (S.Reload_Due, Now, Milliseconds (Interval_After (S.Unanswered)));
-      elsif Done.From = Robot.Requests.Battery then
-         S.Battery_Due := Next_Due
-           (S.Battery_Due, Now, Schedule.Battery_Period);
+      elsif Done.From = Requests.Battery then
+         S.Battery_Due :=
+           Next_Due (S.Battery_Due, Now, Schedule.Battery_Period);
       end if;
    end Note;
 

@@ -4,7 +4,6 @@
 
 with Ada.Real_Time; use Ada.Real_Time;
 with Commands;
-with Robot.Health;
 with Robot.Requests;
 with Robot.Session;
 with Schedule;
@@ -13,13 +12,13 @@ package Robot.Line_Status with SPARK_Mode is
 
    pragma Annotate (GNATprove, Terminating, Robot.Line_Status);
 
-   use type Robot.Requests.Source;
-   use type Robot.Session.Mode_Kind;
+   use type Requests.Source;
+   use type Session.Mode_Kind;
    use type Commands.Outcome_Kind;
    use type Commands.Request_Kind;
 
    type Dialogue is record
-      State   : Robot.Session.State;
+      State   : Session.State;
       Counted : Time := Time_First;
       --  when the last start or reload was sent: the robot's watchdog counts
       --  from there
@@ -31,20 +30,11 @@ package Robot.Line_Status with SPARK_Mode is
       --  no robot, and it has not started unless it is 0
       Told    : Boolean := False;
       --  the log says, once each time the line is open, that it does so
+      Gone    : Boolean := False;
+      --  the line's device has been removed since it was opened
    end record
    with Dynamic_Predicate => Robot.Session.Is_Consistent (Dialogue.State);
    --  What the task that has the line knows of the robot
-
-   type Status is record
-      Open       : Boolean := False;
-      Mode       : Robot.Session.Mode_Kind := Robot.Session.Not_Started;
-      Epoch      : Natural := 0;
-      --  changes at each start
-      Used_At    : Time := Time_First;
-      --  end of the last exchange
-      Failures   : Robot.Health.Failure_Count := 0;
-      --  failed exchanges in a row
-   end record;
 
    --  How long after a reload of the watchdog the next is due. The robot
    --  counts ticks of 100 ms, accepts a reload at 9 to 11 of them, and counts
@@ -61,8 +51,13 @@ package Robot.Line_Status with SPARK_Mode is
          when 2 => Schedule.Next_Retry_Ms);
    --  Milliseconds from this reload to the next
 
-   type State is record
-      Known       : Status;
+   type Status is record
+      Held        : Dialogue;
+      --  as the last task left it that had the line
+      Used_At     : Time := Time_First;
+      --  when that was
+      Epoch       : Natural := 0;
+      --  changes at each start
       Reload_Due  : Time := Time_Last;
       Battery_Due : Time := Time_Last;
       Unanswered  : Unanswered_Count := 0;
@@ -73,53 +68,52 @@ package Robot.Line_Status with SPARK_Mode is
    --  A robot that is not started and has left as many pings without an answer
    --  is off, and is asked no more: its line stays open
 
+   function Mode (S : Status) return Session.Mode_Kind is (S.Held.State.Mode);
+
    function Same_Run (Now, Before : Status) return Boolean is
-     (Now.Mode /= Robot.Session.Not_Started
-      and then Now.Epoch = Before.Epoch);
+     (Mode (Now) /= Session.Not_Started and then Now.Epoch = Before.Epoch);
    --  The robot has run since Before without a restart
 
-   function Due (S : State; From : Robot.Requests.Periodic) return Time is
+   function Due (S : Status; From : Requests.Periodic) return Time is
      (case From is
-         when Robot.Requests.Reload     =>
-           (if S.Known.Mode = Robot.Session.Started_With_Watchdog
-            then S.Reload_Due else Time_Last),
-         when Robot.Requests.Battery    =>
-           (if S.Known.Mode /= Robot.Session.Not_Started then S.Battery_Due
+         when Requests.Reload     =>
+           (if Mode (S) = Session.Started_With_Watchdog then S.Reload_Due
             else Time_Last),
-         when Robot.Requests.Keep_Alive =>
-           (if S.Known.Mode /= Robot.Session.Not_Started
-            then S.Known.Used_At + Schedule.Keep_Alive_Period
-            elsif S.Known.Open and then S.Known.Failures < Max_Idle_Failures
-            then S.Known.Used_At + Schedule.Idle_Ping_Period
+         when Requests.Battery    =>
+           (if Mode (S) /= Session.Not_Started then S.Battery_Due
+            else Time_Last),
+         when Requests.Keep_Alive =>
+           (if Mode (S) /= Session.Not_Started
+            then S.Used_At + Schedule.Keep_Alive_Period
+            elsif S.Held.State.Line_Open
+              and then S.Held.State.Health.Failures < Max_Idle_Failures
+            then S.Used_At + Schedule.Idle_Ping_Period
             else Time_Last));
    --  Time_Last: as it is now, never
 
    function Is_Quiet
-     (S : State; Now : Time; Answer_Timeout : Time_Span) return Boolean
+     (S : Status; Now : Time; Answer_Timeout : Time_Span) return Boolean
    is
-     (S.Known.Mode = Robot.Session.Started_With_Watchdog
+     (Mode (S) = Session.Started_With_Watchdog
       and then Now >= S.Reload_Due -
-        (if S.Known.Failures > 0 then
+        (if S.Held.State.Health.Failures > 0 then
             Answer_Timeout + Schedule.Reload_Quiet_Suspect
          else Schedule.Reload_Quiet));
    --  A reload is due: only a stop or a movement may start
 
    function Starts
-     (Done : Robot.Requests.Job; Result : Commands.Outcome)
-     return Boolean
-   is (Done.Request.Kind in
-         Commands.Start | Commands.Start_Watchdog
+     (Done : Requests.Job; Result : Commands.Outcome) return Boolean
+   is (Done.Request.Kind in Commands.Start | Commands.Start_Watchdog
        and then Result.Kind = Commands.Done);
    --  The robot has started
 
    procedure Note
-     (S      : in out State;
-      Done   : Robot.Requests.Job;
+     (S      : in out Status;
+      Done   : Requests.Job;
       Held   : Dialogue;
       Result : Commands.Outcome;
       Now    : Time)
-   with
-     Post => (S.Known.Epoch /= S'Old.Known.Epoch) = Starts (Done, Result);
+   with Post => (S.Epoch /= S.Epoch'Old) = Starts (Done, Result);
    --  Request Done has just ended with Result, the robot's dialogue as in Held
 
 end Robot.Line_Status;

@@ -20,7 +20,8 @@ package body Robot.Protocol with SPARK_Mode is
    end Prove_Same_Parity;
 
    procedure Encode (C : Command; F : out Frame) is
-      Last : Frame_Length := 1;
+      Last   : Frame_Length := 1;
+      Before : Byte_Array (1 .. Frame_Length'Last) with Ghost;
    begin
       F := (Data => (others => 0), Length => 0);
       F.Data (1) := Character'Pos (Letter (C.Kind));
@@ -34,19 +35,15 @@ package body Robot.Protocol with SPARK_Mode is
          Byte_Decimals.Append (abs C.Value, 1, F.Data, Last);
       end if;
 
-      declare
-         Before : constant Byte_Array := F.Data with Ghost;
-      begin
-         F.Data (Last + 1) := Checksum (F.Data, Last);
-         F.Data (Last + 2) := Terminator;
-         F.Length := Last + 2;
-         Prove_Same_Parity (Before, F.Data, Last);
-         if C.Kind in With_Argument then
-            Byte_Decimals.Prove_Same_Value
-              (Before, F.Data, (if C.Value < 0 then 4 else 3), Last);
-         end if;
-      end;
-      pragma Assert (Is_Framed (F));
+      Before := F.Data;
+      F.Data (Last + 1) := Checksum (F.Data, Last);
+      F.Data (Last + 2) := Terminator;
+      F.Length := Last + 2;
+      Prove_Same_Parity (Before, F.Data, Last);
+      if C.Kind in With_Argument then
+         Byte_Decimals.Prove_Same_Value
+           (Before, F.Data, (if C.Value < 0 then 4 else 3), Last);
+      end if;
    end Encode;
 
    procedure Append (F : in out Frame; B : Byte) is
@@ -58,14 +55,13 @@ package body Robot.Protocol with SPARK_Mode is
    end Append;
 
    function Text_Of (F : Frame) return Commands.Answer_Text is
+      Result : Commands.Answer_Text :=
+        (Length => Text_Length (F), others => <>);
    begin
-      return Result : Commands.Answer_Text :=
-        (Length => Text_Length (F), others => <>)
-      do
-         for I in 1 .. Result.Length loop
-            Result.Data (I) := Character'Val (F.Data (I));
-         end loop;
-      end return;
+      for I in 1 .. Result.Length loop
+         Result.Data (I) := Character'Val (F.Data (I));
+      end loop;
+      return Result;
    end Text_Of;
 
 end Robot.Protocol;

@@ -105,9 +105,8 @@ package Robot.Protocol with SPARK_Mode is
    function Has_Number
      (F : Frame; First : Positive; Number : Byte_Decimals.Number)
       return Boolean
-   is (First <= F.Length - 2
-       and then F.Length - First < 8
-       and then Byte_Decimals.Are_Digits (F.Data, First, F.Length - 2)
+   is (F.Length - First in 2 .. 7
+       and then Byte_Decimals.Is_Numeral (F.Data, First, F.Length - 2)
        and then Byte_Decimals.Value (F.Data, First, F.Length - 2) = Number);
    --  The text is Number from the byte First on.
 
@@ -115,13 +114,11 @@ package Robot.Protocol with SPARK_Mode is
      (F.Data (1) = Character'Pos (Letter (C.Kind))
       and then
         (if C.Kind not in With_Argument then F.Length = 3
-         elsif C.Value >= 0 then
-            F.Data (2) = Character'Pos ('=')
-            and then Has_Number (F, 3, C.Value)
-         else
-            F.Data (2) = Character'Pos ('=')
-            and then F.Data (3) = Character'Pos ('-')
-            and then Has_Number (F, 4, -C.Value)));
+         else F.Data (2) = Character'Pos ('=')
+           and then
+             (if C.Value >= 0 then Has_Number (F, 3, C.Value)
+              else F.Data (3) = Character'Pos ('-')
+                and then Has_Number (F, 4, -C.Value))));
    --  The text is the letter of C, and its value in decimal if it has one.
 
    function Is_Movement (C : Command) return Boolean is
@@ -219,9 +216,6 @@ package Robot.Protocol with SPARK_Mode is
    --  point, so no answer of another class is taken for it, nor two answers in
    --  one frame.
 
-   function Digit_Kind (Pending : Command_Kind) return Reply_Kind is
-     (if Pending = Battery then Level else Moving_State);
-
    function Decode (F : Frame; Pending : Command_Kind) return Reply is
      (if Text_Length (F) = 0 then (Malformed, 0)
       elsif not Is_Sound (F) then (Bad_Checksum, 0)
@@ -229,14 +223,12 @@ package Robot.Protocol with SPARK_Mode is
       elsif Is_Character (F, 'C') then (Unknown_Command, 0)
       elsif Is_Character (F, 'O') and then Class_Of (Pending) = Acknowledge
       then (Done, 0)
-      elsif Is_Character (F, '0') and then Class_Of (Pending) = Digit
-      then (Digit_Kind (Pending), 0)
-      elsif Is_Character (F, '1') and then Class_Of (Pending) = Digit
-      then (Digit_Kind (Pending), 1)
-      elsif Is_Character (F, '2') and then Pending = Battery
-      then (Level, 2)
-      elsif Is_Version (F) and then Pending = Version
-      then (Version_Text, 0)
+      elsif Class_Of (Pending) = Digit
+        and then (Is_Character (F, '0') or else Is_Character (F, '1')
+                  or else (Is_Character (F, '2') and then Pending = Battery))
+      then ((if Pending = Battery then Level else Moving_State),
+            Integer (F.Data (1)) - Character'Pos ('0'))
+      elsif Is_Version (F) and then Pending = Version then (Version_Text, 0)
       else (Wrong_Kind, 0));
    --  The meaning of frame F as the answer to Pending. Every frame has one.
 

@@ -26,7 +26,7 @@ package body Robot.Requests with SPARK_Mode is
       elsif Item.From = Mission then
          R.Last_Mission := Number;
       elsif Item.From = Other_Order
-        and then Robot.Session.Changes_Session (Item.Request.Kind)
+        and then Session.Changes_Session (Item.Request.Kind)
       then
          R.Last_Change := Number;
       end if;
@@ -37,21 +37,19 @@ package body Robot.Requests with SPARK_Mode is
       end if;
    end Put;
 
-   function Next (R : Requests) return Choice is
+   function Next (R : Requests) return Source is
    begin
       pragma Assert
         (if Is_Pending (R, Stop_Order) then
             May_Go (R, Stop_Order) or else May_Go (R, Reload));
-      if not R.In_Use then
-         for S in Source loop
-            if May_Go (R, S) then
-               return (True, S);
-            end if;
-            pragma Loop_Invariant
-              (for all D in Source'First .. S => not May_Go (R, D));
-         end loop;
-      end if;
-      return (others => <>);
+      for S in Source loop
+         if May_Go (R, S) then
+            return S;
+         end if;
+         pragma Loop_Invariant
+           (for all D in Source'First .. S => not May_Go (R, D));
+      end loop;
+      raise Program_Error;
    end Next;
 
    procedure Take
@@ -60,15 +58,16 @@ package body Robot.Requests with SPARK_Mode is
       Item  : in out Job;
       Found : out Boolean)
    is
-      First : constant Choice := Next (R);
+      From : constant Source :=
+        (if May_Start (R) then Next (R) else Source'Last);
    begin
-      Found := First.Found and then User_Of (Head (R, First.From)) = Who;
+      Found := May_Start (R) and then User_Of (Head (R, From)) = Who;
       if Found then
-         Item := Head (R, First.From);
+         Item := Head (R, From);
          R.In_Use := True;
-         R.Was_Stop := First.From = Stop_Order;
-         if First.From not in Periodic then
-            Job_Queues.Remove_First (R.Waiting (First.From));
+         R.Was_Stop := From = Stop_Order;
+         if From not in Periodic then
+            Job_Queues.Remove_First (R.Waiting (From));
          end if;
       end if;
    end Take;

@@ -10,8 +10,6 @@ package Robot.Requests with SPARK_Mode is
 
    pragma Annotate (GNATprove, Terminating, Robot.Requests);
 
-   use type Commands.Ticket;
-   use type Commands.Request_Kind;
    use type Schedule.Task_Name;
 
    type Source is
@@ -85,8 +83,6 @@ package Robot.Requests with SPARK_Mode is
       --  the last mission that has asked for something, 0: none
    end record;
 
-   --  Requests that may start
-
    function Is_Pending (R : Requests; From : Source) return Boolean is
      (if From in Periodic then R.Due (From)
       else Job_Queues.Length (R.Waiting (From)) > 0);
@@ -116,7 +112,7 @@ package Robot.Requests with SPARK_Mode is
            and then not
              Waits_For (R, Other_Order, Head (R, From).Order.Number),
          when Other_Order =>
-           not (Robot.Session.Changes_Session (Head (R, From).Request.Kind)
+           not (Session.Changes_Session (Head (R, From).Request.Kind)
                 and then
                   Waits_For (R, Movement, Head (R, From).Order.Number)),
          when others      => True)
@@ -177,8 +173,6 @@ package Robot.Requests with SPARK_Mode is
    --  Is_Late: the request of Mission has waited for too long. A stop is never
    --  late
 
-   --  Used in the contracts
-
    function Is_Same_But (R, Before : Requests; From : Source) return Boolean is
      (for all S in Source =>
         (if S /= From then
@@ -193,29 +187,26 @@ package Robot.Requests with SPARK_Mode is
    --  Appends a request. A stop cancels older movements that still wait, and
    --  an order by hand what an older mission has asked for, or will ask for
 
-   type Choice is record
-      Found : Boolean := False;
-      From  : Source  := Keep_Alive;
-   end record;
+   function Is_First (R : Requests; From : Source) return Boolean is
+     (May_Go (R, From)
+      and then (for all S in Source => (if May_Go (R, S) then From <= S)))
+   with Ghost;
 
-   function Next (R : Requests) return Choice
+   function May_Start (R : Requests) return Boolean is
+     (not R.In_Use and then (for some S in Source => May_Go (R, S)));
+   --  The line is free, and a request waits that may start
+
+   function Next (R : Requests) return Source
    with
-     Post => Next'Result.Found =
-         (not R.In_Use and then (for some S in Source => May_Go (R, S)))
+     Pre  => May_Start (R),
+     Post => Is_First (R, Next'Result)
        and then
-         (if Next'Result.Found then
-             May_Go (R, Next'Result.From)
-             and then (for all S in Source =>
-                         (if May_Go (R, S) then Next'Result.From <= S)))
-       and then
-         (if not R.In_Use and then Is_Pending (R, Stop_Order) then
-             Next'Result.Found
-             and then
-               (Next'Result.From in Safe_State | Stop_Order
-                or else (Next'Result.From = Reload and then R.Was_Stop)));
-   --  The most urgent request that may start, if the line is free. A stop
-   --  precedes every other request, with two exceptions: the end of the
-   --  session, and a reload after another stop
+         (if Is_Pending (R, Stop_Order) then
+             Next'Result in Safe_State | Stop_Order
+             or else (Next'Result = Reload and then R.Was_Stop));
+   --  The most urgent request that may start. A stop precedes every other
+   --  request, with two exceptions: the end of the session, and a reload after
+   --  another stop
 
    procedure Take
      (R     : in out Requests;
@@ -224,14 +215,14 @@ package Robot.Requests with SPARK_Mode is
       Found : out Boolean)
    with
      Post => Found =
-         (Next (R'Old).Found
-          and then User_Of (Head (R'Old, Next (R'Old).From)) = Who)
+         (May_Start (R'Old)
+          and then User_Of (Head (R'Old, Next (R'Old))) = Who)
        and then
          (if Found then
-             R.In_Use
-             and then Item = Head (R'Old, Next (R'Old).From)
-             and then R.Was_Stop = (Next (R'Old).From = Stop_Order)
-             and then Is_Same_But (R, R'Old, Next (R'Old).From)
+             R.In_Use and then not R'Old.In_Use
+             and then Item = Head (R'Old, Next (R'Old))
+             and then R.Was_Stop = (Next (R'Old) = Stop_Order)
+             and then Is_Same_But (R, R'Old, Next (R'Old))
           else R = R'Old and then Item = Item'Old);
    --  Found: the next request is one for Who, who has the line from now on
 

@@ -8,14 +8,11 @@ private package Robot.Serial_Line.Calls with SPARK_Mode is
 
    subtype Outcome is Process.Outcome;
 
-   Interrupted        : constant Outcome := -4;   --  EINTR
-   Input_Output_Error : constant Outcome := -5;   --  EIO
-   No_Such_Address    : constant Outcome := -6;   --  ENXIO
-   No_Data            : constant Outcome := -11;  --  EAGAIN
-   Not_Permitted      : constant Outcome := -13;  --  EACCES
-   Busy               : constant Outcome := -16;  --  EBUSY
-   No_Such_Device     : constant Outcome := -19;  --  ENODEV
-   No_Terminal        : constant Outcome := -25;  --  ENOTTY
+   Interrupted   : constant Outcome := -4;   --  EINTR
+   No_Data       : constant Outcome := -11;  --  EAGAIN
+   Not_Permitted : constant Outcome := -13;  --  EACCES
+   Busy          : constant Outcome := -16;  --  EBUSY
+   No_Terminal   : constant Outcome := -25;  --  ENOTTY
 
    No_Descriptor : constant Outcome := -1;
    --  Calls with it fail

@@ -7,25 +7,13 @@ with Trace;
 
 package body Robot.Serial_Line with
   SPARK_Mode,
-  Refined_State => (Device => (Descriptor, Is_Gone))
+  Refined_State => (Device => Descriptor)
 is
 
    Descriptor : Calls.Outcome := Calls.No_Descriptor
      with Atomic, Async_Readers, Async_Writers, Export, Convention => C,
           External_Name => "destijl_robot_line";
    --  In a crash its handler writes there (crash_handlers.cpp)
-
-   Is_Gone : Boolean := False with Atomic, Async_Readers, Async_Writers;
-
-   procedure Note_End (Result : Calls.Outcome) is
-      --  Notes whether the device has gone, by what a call returned
-   begin
-      if Result in 0 | Calls.Input_Output_Error | Calls.No_Such_Address
-                 | Calls.No_Such_Device
-      then
-         Is_Gone := True;
-      end if;
-   end Note_End;
 
    procedure Open
      (Path : Texts.Text; Success : out Boolean; Reason : out Texts.Text)
@@ -40,7 +28,6 @@ is
       Texts.Set (Reason, "");
       if Success then
          Descriptor := Opened;
-         Is_Gone := False;
          Calls.Discard (Opened, Calls.Received);
       elsif Opened in Calls.Busy | Calls.No_Data then
          Process.Devices.Get_Owner (Path, Owner);
@@ -50,8 +37,7 @@ is
       else
          Process.Describe (-Opened, Reason);
          if Opened = Calls.Not_Permitted then
-            Texts.Append
-              (Reason, ": your user must be in the group dialout");
+            Texts.Append (Reason, ": your user must be in the group dialout");
          end if;
       end if;
    end Open;
@@ -89,32 +75,29 @@ is
    end Discard_Input;
 
    procedure Write
-     (Who     : Schedule.Thread_Name;
-      Item    : Robot.Protocol.Command;
-      Mode    : Robot.Session.Mode_Kind;
-      Length  : out Robot.Protocol.Frame_Length;
-      Success : out Boolean)
+     (Who    : Schedule.Thread_Name;
+      Item   : Protocol.Command;
+      Mode   : Session.Mode_Kind;
+      Length : out Protocol.Frame_Length)
    is
       pragma Unreferenced (Mode);
       Line  : constant Calls.Outcome := Descriptor;
-      Frame : Robot.Protocol.Frame;
+      Frame : Protocol.Frame;
       Sent  : Calls.Outcome;
    begin
-      Robot.Protocol.Encode (Item, Frame);
-      Length := Frame.Length;
+      Protocol.Encode (Item, Frame);
       Calls.Write (Line, Frame.Data, Frame.Length, Sent);
+      Length := (if Sent = Frame.Length then Frame.Length else 0);
       Trace.Put
         (Trace.Ordered, Who,
-         Label => Robot.Protocol.Letter (Item.Kind) & "     ");
-      Note_End (Sent);
-      Success := Sent = Frame.Length;
+         Label => Protocol.Letter (Item.Kind) & "     ");
    end Write;
 
    procedure Read
      (Data       : out Bytes.Byte_Array;
       Length     : out Natural;
       Until_Time : Time;
-      Success    : out Boolean)
+      Gone       : out Boolean)
    is
       Line   : constant Calls.Outcome := Descriptor;
       Result : Calls.Outcome;
@@ -133,25 +116,22 @@ is
          exit when Result not in Calls.No_Data | Calls.Interrupted
            or else (Result = Calls.No_Data and then Until_Time <= Now);
       end loop;
-      Note_End (Result);
       Length := Integer'Max (0, Result);
-      Success := Result > 0 or else Result = Calls.No_Data;
+      Gone := Result <= 0 and then Result /= Calls.No_Data;
    end Read;
 
    procedure Send_Stop
      (Path : Texts.Text; Sent : out Boolean; Report : out Texts.Text)
    is
-      Reason         : Texts.Text;
-      Ignored_Length : Robot.Protocol.Frame_Length;
-      All_Sent       : Boolean;
+      Reason   : Texts.Text;
+      Length   : Protocol.Frame_Length;
+      All_Sent : Boolean;
    begin
       Open (Path, Sent, Reason);
       if Sent then
-         Write
-           (Schedule.Main, Robot.Protocol.Stop, Robot.Session.Not_Started,
-            Ignored_Length, Sent);
+         Write (Schedule.Main, Protocol.Stop, Session.Not_Started, Length);
          Close (All_Sent);
-         Sent := Sent and All_Sent;
+         Sent := Length > 0 and then All_Sent;
          Texts.Set (Reason, "it takes nothing");
       end if;
       Texts.Set
@@ -161,18 +141,10 @@ is
             & Texts.Image (Reason)));
    end Send_Stop;
 
-   procedure Get_Gone (Gone : out Boolean) is
-   begin
-      Gone := Is_Gone;
-   end Get_Gone;
-
    procedure Stop_Blindly is
-      Ignored_Length : Robot.Protocol.Frame_Length;
-      Ignored        : Boolean;
+      Ignored : Protocol.Frame_Length;
    begin
-      Write
-        (Schedule.Th_Stop, Robot.Protocol.Stop, Robot.Session.Not_Started,
-         Ignored_Length, Ignored);
+      Write (Schedule.Th_Stop, Protocol.Stop, Session.Not_Started, Ignored);
    end Stop_Blindly;
 
 end Robot.Serial_Line;

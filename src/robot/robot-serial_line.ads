@@ -16,7 +16,7 @@ package Robot.Serial_Line with
   Initializes => Device
 is
 
-   use type Robot.Session.Mode_Kind;
+   use type Session.Mode_Kind;
 
    procedure Open
      (Path : Texts.Text; Success : out Boolean; Reason : out Texts.Text);
@@ -32,35 +32,30 @@ is
    --  Discards what has been received and not read
 
    procedure Write
-     (Who     : Schedule.Thread_Name;
-      Item    : Robot.Protocol.Command;
-      Mode    : Robot.Session.Mode_Kind;
-      Length  : out Robot.Protocol.Frame_Length;
-      Success : out Boolean)
+     (Who    : Schedule.Thread_Name;
+      Item   : Protocol.Command;
+      Mode   : Session.Mode_Kind;
+      Length : out Protocol.Frame_Length)
    with
      Pre =>
-       (if Robot.Protocol.Is_Movement (Item) then
-           Mode /= Robot.Session.Not_Started);
+       (if Protocol.Is_Movement (Item) then Mode /= Session.Not_Started);
    --  Sends the frame of Item, which has Length bytes, to a robot in Mode.
-   --  Never waits: fails if the device accepts nothing or has been removed
+   --  Never waits. Length 0: the device accepts nothing or has been removed
 
    procedure Read
      (Data       : out Bytes.Byte_Array;
       Length     : out Natural;
       Until_Time : Ada.Real_Time.Time;
-      Success    : out Boolean)
-   with Post => Length <= Data'Length;
+      Gone       : out Boolean)
+   with Post => Length <= (if Gone then 0 else Data'Length);
    --  Received data; waits for the first byte until Until_Time at most, then
-   --  Length is 0. Success is false if the device has been removed
+   --  Length is 0. Gone: the device has been removed
 
    procedure Send_Stop
      (Path : Texts.Text; Sent : out Boolean; Report : out Texts.Text);
    --  Opens the device, writes the stop order's frame and closes it: for a
    --  robot whose supervisor was killed, while this one has no session. A line
    --  in use stays as it is. Report says what was done, or why nothing
-
-   procedure Get_Gone (Gone : out Boolean);
-   --  Whether the device has been removed since it was opened
 
    procedure Stop_Blindly;
    --  Writes the stop order's frame from any task: the last resort when the

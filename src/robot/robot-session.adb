@@ -2,18 +2,19 @@
 
 package body Robot.Session with SPARK_Mode is
 
-   package Wire renames Robot.Protocol;
+   Just_Opened : constant State :=
+     (Line_Open => True, Health => Health.Opened, others => <>);
 
    procedure Begin_Exchange
      (S       : State;
       P       : in out Progress;
       Phase   : Phase_Kind;
-      Command : Wire.Command)
+      Command : Protocol.Command)
    is
       --  Exchanges Command in Phase. If the line is out of step, a probe comes
       --  first, and before the probe a blind stop
-      In_Step : constant Boolean := Robot.Health.In_Step (S.Health);
-      Is_Stop : constant Boolean := Command = Wire.Stop;
+      In_Step : constant Boolean := Health.In_Step (S.Health);
+      Is_Stop : constant Boolean := Command = Protocol.Stop;
    begin
       P.Phase    := Phase;
       P.Wanted   := Command;
@@ -60,7 +61,7 @@ package body Robot.Session with SPARK_Mode is
       elsif R.Kind in Close_Line | Reset | Power_Off
         and then S.Mode /= Not_Started
       then
-         Begin_Exchange (S, P, Leaving, Wire.Stop);
+         Begin_Exchange (S, P, Leaving, Protocol.Stop);
       else
          Act (S, P);
       end if;
@@ -88,7 +89,7 @@ package body Robot.Session with SPARK_Mode is
             else
                --  not moving: a stop changes nothing, and is accepted only by
                --  a running robot
-               Begin_Exchange (S, P, Testing_Run, Wire.Stop);
+               Begin_Exchange (S, P, Testing_Run, Protocol.Stop);
             end if;
 
          when Testing_Run =>
@@ -118,12 +119,12 @@ package body Robot.Session with SPARK_Mode is
                end case;
                Finish (P, Done);
             elsif P.Request.Kind = Reload then
-               Begin_Exchange (S, P, Asking_Motion, (Wire.Busy, 0));
+               Begin_Exchange (S, P, Asking_Motion, (Protocol.Busy, 0));
             elsif P.Request.Kind in Drive | Stop
               and then S.Mode /= Not_Started
             then
                --  it may have been damaged on its way
-               Begin_Exchange (S, P, Testing_Run, Wire.Stop);
+               Begin_Exchange (S, P, Testing_Run, Protocol.Stop);
             else
                if P.Request.Kind = Reset then
                   --  refused only if the robot is not running
@@ -136,11 +137,10 @@ package body Robot.Session with SPARK_Mode is
 
    procedure Unanswered (S : in out State; P : in out Progress) is
       --  The exchange of the phase, or the probe before it, has failed
-      Probed : constant Boolean := P.In_Probe;
    begin
-      S.Health := Robot.Health.After_Failure
-        (S.Health, Next_Step (S, P).Command.Kind);
-      if Robot.Health.Lost (S.Health) then
+      S.Health :=
+        Health.After_Failure (S.Health, Next_Step (S, P).Command.Kind);
+      if Health.Lost (S.Health) then
          --  a last stop, in case the robot still receives
          P.Result.Note := Robot_Lost;
          P.Phase := Losing;
@@ -148,18 +148,16 @@ package body Robot.Session with SPARK_Mode is
       elsif P.Phase = Leaving then
          if P.Tries < Leave_Tries then
             P.Tries := P.Tries + 1;
-            Begin_Exchange (S, P, Leaving, Wire.Stop);
+            Begin_Exchange (S, P, Leaving, Protocol.Stop);
          else
             Act (S, P);
          end if;
       elsif P.Phase = Acting and then P.Request.Kind = Power_Off
-        and then Probed = P.Off_Sent
+        and then P.In_Probe = P.Off_Sent
       then
-         if Probed then
+         if P.In_Probe then
             --  it is off
-            S := (Line_Open => True,
-                  Health    => Robot.Health.Opened,
-                  others    => <>);
+            S := Just_Opened;
             Finish (P, Done);
          else
             --  it may have switched off before it had answered
@@ -188,13 +186,11 @@ package body Robot.Session with SPARK_Mode is
       case P.Phase is
          when Opening =>
             if Last.Ok then
-               S := (Line_Open => True,
-                     Health    => Robot.Health.Opened,
-                     others    => <>);
+               S := Just_Opened;
                --  first a reset without awaiting its answer: it also resets a
                --  robot that receives but answers late
                P.Phase := Clearing;
-               P.Wanted := (Wire.Reset, 0);
+               P.Wanted := (Protocol.Reset, 0);
             else
                Finish (P, Not_Opened);
             end if;
@@ -211,14 +207,14 @@ package body Robot.Session with SPARK_Mode is
             null;
 
          when Exchange_Phase =>
-            if not P.In_Probe and then not Robot.Health.In_Step (S.Health) then
+            if not P.In_Probe and then not Health.In_Step (S.Health) then
                --  the blind stop has been sent, or the reset of a newly opened
                --  line
                P.In_Probe := True;
             elsif not Last.Ok then
                Unanswered (S, P);
             else
-               S.Health := Robot.Health.Initial;
+               S.Health := Health.Initial;
                if P.In_Probe then
                   P.In_Probe := False;
                else

@@ -8,8 +8,8 @@ with Robot.Protocol;
 
 package Robot.Session with SPARK_Mode is
 
-   use type Robot.Protocol.Command;
-   use type Robot.Protocol.Command_Kind;
+   use type Protocol.Command;
+   use type Protocol.Command_Kind;
 
    type Mode_Kind is (Not_Started, Started, Started_With_Watchdog);
 
@@ -25,26 +25,24 @@ package Robot.Session with SPARK_Mode is
 
    function Is_Consistent (S : State) return Boolean is
      ((if S.Idle or else not S.Line_Open then S.Mode = Not_Started)
-      and then not Robot.Health.Lost (S.Health));
+      and then not Health.Lost (S.Health));
    --  A started robot has an open line; a lost line is always closed
 
-   function Command_For (R : Request) return Robot.Protocol.Command is
+   function Command_For (R : Request) return Protocol.Command is
      (case R.Kind is
-         when Open_Line | Reset       => (Robot.Protocol.Reset, 0),
-         when Start                   => (Robot.Protocol.Start, 0),
-         when Start_Watchdog          => (Robot.Protocol.Start_Watchdog, 0),
-         when Ping | Keep_Alive       => (Robot.Protocol.Ping, 0),
-         when Power_Off               => (Robot.Protocol.Power_Off, 0),
-         when Get_Battery             => (Robot.Protocol.Battery, 0),
-         when Get_Version             => (Robot.Protocol.Version, 0),
-         when Get_Moving              => (Robot.Protocol.Busy, 0),
+         when Open_Line | Reset       => (Protocol.Reset, 0),
+         when Start                   => (Protocol.Start, 0),
+         when Start_Watchdog          => (Protocol.Start_Watchdog, 0),
+         when Ping | Keep_Alive       => (Protocol.Ping, 0),
+         when Power_Off               => (Protocol.Power_Off, 0),
+         when Get_Battery             => (Protocol.Battery, 0),
+         when Get_Version             => (Protocol.Version, 0),
+         when Get_Moving              => (Protocol.Busy, 0),
          when Drive                   =>
-           ((case R.Command.Kind is
-               when Move => Robot.Protocol.Move,
-               when Turn => Robot.Protocol.Turn),
+           ((if R.Command.Kind = Move then Protocol.Move else Protocol.Turn),
             R.Command.Value),
-         when Close_Line | Stop       => Robot.Protocol.Stop,
-         when Reload | Reload_By_Hand => (Robot.Protocol.Reload, 0));
+         when Close_Line | Stop       => Protocol.Stop,
+         when Reload | Reload_By_Hand => (Protocol.Reload, 0));
    --  The robot's command for R
 
    function Changes_Session (Kind : Request_Kind) return Boolean is
@@ -56,21 +54,21 @@ package Robot.Session with SPARK_Mode is
    type Step_Kind is
      (Open_Device,
       Close_Device,
-      Send,        --  write the command, await no answer
-      Exchange,    --  write the command, await its answer
-      Synchronise, --  the same, and skip the frames of other classes
-      Finish);     --  the outcome is final
+      Send,      --  write the command, await no answer
+      Exchange,  --  write the command, await its answer
+      Finish);   --  the outcome is final
+   --  Out of step (Robot.Health) an exchange skips the frames of other classes
 
    type Step is record
-      Kind    : Step_Kind              := Finish;
-      Command : Robot.Protocol.Command := Robot.Protocol.Stop;
+      Kind    : Step_Kind        := Finish;
+      Command : Protocol.Command := Protocol.Stop;
    end record;
 
    type Step_Result is record
       Ok    : Boolean := False;
-      --  Open_Device: it is open; Exchange, Synchronise: a valid answer came
-      --  in time, which is Reply
-      Reply : Robot.Protocol.Reply;
+      --  Open_Device: it is open; Exchange: a valid answer came in time,
+      --  which is Reply
+      Reply : Protocol.Reply;
       Text  : Commands.Answer_Text;
       --  of the reply's frame
    end record;
@@ -92,37 +90,35 @@ package Robot.Session with SPARK_Mode is
 
    type Progress is record
       Request  : Commands.Request;
-      Phase    : Phase_Kind                  := Ended;
-      Wanted   : Robot.Protocol.Command      := Robot.Protocol.Stop;
+      Phase    : Phase_Kind       := Ended;
+      Wanted   : Protocol.Command := Protocol.Stop;
       --  the command of the phase's exchange
-      In_Probe : Boolean                     := False;
+      In_Probe : Boolean          := False;
       --  the current exchange only synchronises the line
-      Blind    : Boolean                     := False;
+      Blind    : Boolean          := False;
       --  the stop has been sent once while out of step
-      Stopped  : Boolean                     := False;
+      Stopped  : Boolean          := False;
       --  a stop has been sent, in step or not
       Tries    : Natural range 0 .. Leave_Tries := 0;
-      Off_Sent : Boolean                     := False;
+      Off_Sent : Boolean          := False;
       --  Power_Off has been sent, and was not answered
       Result   : Outcome;
       --  once it has Ended
    end record;
    --  The progress of a request
 
-   --  Used in the contracts
-
    function Is_Sent (Next : Step) return Boolean is
-     (Next.Kind in Send | Exchange | Synchronise);
+     (Next.Kind in Send | Exchange);
    --  The step writes its command to the line
 
    function Sends_Stop (Next : Step) return Boolean is
-     (Is_Sent (Next) and then Next.Command = Robot.Protocol.Stop);
+     (Is_Sent (Next) and then Next.Command = Protocol.Stop);
 
    function Sends_Movement (Next : Step) return Boolean is
-     (Is_Sent (Next) and then Robot.Protocol.Is_Movement (Next.Command));
+     (Is_Sent (Next) and then Protocol.Is_Movement (Next.Command));
 
    function Is_Accepted (Last : Step_Result) return Boolean is
-     (Last.Ok and then Last.Reply.Kind in Robot.Protocol.Accepted_Reply);
+     (Last.Ok and then Last.Reply.Kind in Protocol.Accepted_Reply);
    --  The robot acknowledged the step's command
 
    subtype Exchange_Phase is Phase_Kind range Clearing .. Testing_Run;
@@ -133,25 +129,24 @@ package Robot.Session with SPARK_Mode is
         (if P.Request.Kind in Reset | Power_Off then
             S.Mode = Not_Started or else P.Stopped)
       and then
-        (if Robot.Protocol.Is_Movement (P.Wanted) then
+        (if Protocol.Is_Movement (P.Wanted) then
             S.Mode /= Not_Started and then not P.Stopped)
       and then
-        (if P.Wanted.Kind = Robot.Protocol.Reload then
+        (if P.Wanted.Kind = Protocol.Reload then
             (P.Request.Kind = Reload) = (S.Mode = Started_With_Watchdog)))
    with Ghost;
    --  The request's own command may be sent on the open line
 
    function Is_Exchanging (S : State; P : Progress) return Boolean is
      (S.Line_Open
-      and then not Robot.Health.Lost (S.Health)
+      and then not Health.Lost (S.Health)
       and then
-        (if P.In_Probe then not Robot.Health.In_Step (S.Health)
-         elsif not Robot.Health.In_Step (S.Health) then
+        (if P.In_Probe then not Health.In_Step (S.Health)
+         elsif not Health.In_Step (S.Health) then
             P.Phase = Clearing
-            or else (P.Blind and then P.Wanted = Robot.Protocol.Stop))
+            or else (P.Blind and then P.Wanted = Protocol.Stop))
       and then
-        (if P.Blind or else P.Wanted = Robot.Protocol.Stop
-         then P.Stopped))
+        (if P.Blind or else P.Wanted = Protocol.Stop then P.Stopped))
    with Ghost;
    --  A command of an exchange has been sent: the blind stop, the reset of a
    --  newly opened line, a probe or the wanted one
@@ -179,9 +174,9 @@ package Robot.Session with SPARK_Mode is
                     when Clearing      =>
                       P.Request.Kind = Open_Line
                       and then S.Mode = Not_Started
-                      and then P.Wanted.Kind = Robot.Protocol.Reset,
+                      and then P.Wanted.Kind = Protocol.Reset,
                     when Leaving       =>
-                      P.Wanted = Robot.Protocol.Stop
+                      P.Wanted = Protocol.Stop
                       and then P.Request.Kind in
                         Close_Line | Reset | Power_Off,
                     when Acting        =>
@@ -189,19 +184,18 @@ package Robot.Session with SPARK_Mode is
                       and then May_Act (S, P),
                     when Asking_Motion =>
                       P.Request.Kind = Reload
-                      and then P.Wanted.Kind = Robot.Protocol.Busy,
+                      and then P.Wanted.Kind = Protocol.Busy,
                     when Testing_Run   =>
                       P.Request.Kind in Reload | Drive | Stop
-                      and then P.Wanted = Robot.Protocol.Stop)))
+                      and then P.Wanted = Protocol.Stop)))
    with Ghost;
-   --  P belongs to S: the invariant of a request, valid between its steps
+   --  P belongs to S: the invariant of a request, valid between its steps. The
+   --  line of a lost robot is closed
 
    Max_Steps : constant := 19;
 
    function Exchanges_Left (S : State; P : Progress) return Natural is
-     (if P.In_Probe then 2
-      elsif Robot.Health.In_Step (S.Health) then 1
-      else 3)
+     (if P.In_Probe then 2 elsif Health.In_Step (S.Health) then 1 else 3)
    with Ghost;
    --  A blind stop, a probe, and the wanted command
 
@@ -233,39 +227,38 @@ package Robot.Session with SPARK_Mode is
       --  the periodic reload is sent only while started with watchdog, a
       --  monitor's only while not
       and then
-        (if Is_Sent (Next) and then Next.Command.Kind = Robot.Protocol.Reload
-         then P.Request.Kind =
-           (if S.Mode = Started_With_Watchdog then Reload
-            else Reload_By_Hand))
+        (if Is_Sent (Next) and then Next.Command.Kind = Protocol.Reload then
+            P.Request.Kind = (if S.Mode = Started_With_Watchdog then Reload
+                              else Reload_By_Hand))
       --  nothing is sent on a closed line
       and then
         (if Is_Sent (Next) or else Next.Kind = Close_Device then S.Line_Open)
-      --  in step: await the answer; out of step: skip late answers
+      --  out of step: only the probe's answer is awaited
       and then
-        (if Next.Kind in Exchange | Synchronise then
-            not Robot.Health.Lost (S.Health)
+        (if Next.Kind = Exchange then
+            not Health.Lost (S.Health)
             and then
-              (Next.Kind = Exchange) = Robot.Health.In_Step (S.Health))
+              (if not Health.In_Step (S.Health) then
+                  Next.Command.Kind = Health.Probe (S.Health)))
       --  only a stop, and the reset of a newly opened line, are sent without
       --  awaiting an answer
       and then
         (if Next.Kind = Send then
             Sends_Stop (Next)
-            or else (Next.Command.Kind = Robot.Protocol.Reset
+            or else (Next.Command.Kind = Protocol.Reset
                      and then P.Request.Kind = Open_Line))
       and then (if Next.Kind = Finish then Is_Consistent (S)))
    with Ghost;
 
    function Next_Step (S : State; P : Progress) return Step is
      (case P.Phase is
-         when Opening        => (Open_Device, Robot.Protocol.Stop),
-         when Closing        => (Close_Device, Robot.Protocol.Stop),
-         when Losing         => (Send, Robot.Protocol.Stop),
-         when Ended          => (Finish, Robot.Protocol.Stop),
+         when Opening        => (Open_Device, Protocol.Stop),
+         when Closing        => (Close_Device, Protocol.Stop),
+         when Losing         => (Send, Protocol.Stop),
+         when Ended          => (Finish, Protocol.Stop),
          when Exchange_Phase =>
-           (if P.In_Probe then
-              (Synchronise, (Robot.Health.Probe (S.Health), Value => 0))
-            elsif Robot.Health.In_Step (S.Health) then (Exchange, P.Wanted)
+           (if P.In_Probe then (Exchange, (Health.Probe (S.Health), 0))
+            elsif Health.In_Step (S.Health) then (Exchange, P.Wanted)
             else (Send, P.Wanted)))
    with
      Pre  => Is_Under_Way (S, P),
@@ -284,6 +277,17 @@ package Robot.Session with SPARK_Mode is
                    (P.Phase /= Ended) = (S.Mode = Started_With_Watchdog));
    --  Up to the first step of R
 
+   function Is_Mode_Change
+     (S : State; P, Before : Progress; Last : Step_Result) return Boolean
+   is (if S.Mode = Not_Started then Before.Stopped
+       else Is_Accepted (Last)
+         and then P.Phase = Ended
+         and then P.Result.Kind = Done
+         and then P.Request.Kind =
+           (if S.Mode = Started then Start else Start_Watchdog))
+   with Ghost;
+   --  Started only by an acknowledged start, never left without a stop before
+
    procedure Continue_Request
      (S : in out State; P : in out Progress; Last : Step_Result)
    with
@@ -294,22 +298,8 @@ package Robot.Session with SPARK_Mode is
                   (P'Old.Stopped or else Sends_Stop (Next_Step (S, P)))
        and then (P.Phase = Ended
                  or else Steps_Left (S, P) < Steps_Left (S'Old, P'Old))
-       --  started only by an acknowledged start
-       and then
-         (if S.Mode /= S'Old.Mode and then S.Mode /= Not_Started then
-             Is_Accepted (Last)
-             and then P.Phase = Ended
-             and then P.Result.Kind = Done
-             and then P.Request.Kind =
-               (if S.Mode = Started then Start else Start_Watchdog))
-       --  and never left without a stop before
-       and then
-         (if S.Mode /= S'Old.Mode and then S.Mode = Not_Started then
-             P'Old.Stopped)
-       --  the line of a lost robot is closed
-       and then
-         (if P.Phase = Ended and then P.Result.Note = Robot_Lost
-          then not S.Line_Open);
+       and then (S.Mode = S'Old.Mode
+                 or else Is_Mode_Change (S, P, P'Old, Last));
    --  Up to the next step of the same request, after its last step gave Last
 
 end Robot.Session;

@@ -10,7 +10,6 @@ with Robot.Exchange;
 with Robot.Line;
 with Robot.Line_Status;
 with Robot.Requests;
-with Robot.Serial_Line;
 with Robot.Session;
 with Trace;
 
@@ -20,10 +19,9 @@ package body Robot.Service with SPARK_Mode is
    use type Robot.Requests.Verdict_Kind;
    use type Robot.Session.Mode_Kind;
 
-   procedure Tell_Of (Note : Commands.Note_Kind; Empty : Boolean) is
+   procedure Tell_Of (Note : Commands.Note_Kind; Empty, Gone : Boolean) is
       --  What the monitor and the log learn of Note. Empty: the robot's
-      --  battery, when last asked
-      Gone : Boolean;
+      --  battery, when last asked. Gone: the device of its line
    begin
       case Note is
          when Commands.Nothing =>
@@ -38,7 +36,6 @@ package body Robot.Service with SPARK_Mode is
             Monitor.Outbox.Put
               (Monitor.Mailboxes.Told (Monitor.Notices.Robot_Not_Running));
          when Commands.Robot_Lost =>
-            Robot.Serial_Line.Get_Gone (Gone);
             Journal.Put
               (Options.Warning,
                (if Gone then
@@ -111,7 +108,7 @@ package body Robot.Service with SPARK_Mode is
              others => <>));
       end if;
       pragma Assert (not Item.Order.Owed);
-      Tell_Of (Result.Note, Empty);
+      Tell_Of (Result.Note, Empty, Held.Gone);
    end Serve;
 
    procedure Serve (Who : Schedule.Task_Name) is

@@ -51,7 +51,7 @@ package body Support_Tasks with SPARK_Mode is
          Robot.Line.Grant.Get_Status (Status);
          Vision.State.Store.Get_Idle (Idle);
          exit when Known.Stage = Monitor.Session.Free
-           and then not Status.Open and then Idle;
+           and then not Status.Held.State.Line_Open and then Idle;
          Now := Clock;
          exit when Now >= Limit;
          Process.Threads.Sleep_Until
@@ -119,7 +119,7 @@ package body Support_Tasks with SPARK_Mode is
            (Now + (if Kind = Process.Signals.Failure
                    then Schedule.Failure_Limit else Schedule.Stop_Limit));
          Robot.Line.Grant.Get_Status (Status);
-         if Status.Open then
+         if Status.Held.State.Line_Open then
             Robot.Serial_Line.Stop_Blindly;
             Robot.Serial_Line.Close (Ignored);
          end if;

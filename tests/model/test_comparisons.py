@@ -68,7 +68,7 @@ def test_a_fault_is_noticed(tree: Path, fault: str) -> None:
         #  a condition, which is for the mutants
         (
             "robot/robot-line.adb",
-            "/^   procedure Wake/,/end Wake/s/if Next/if not Next/",
+            "/^   procedure Look/,/end Look/s/if Next <= Now/if Next > Now/",
         ),
         (
             "vision/vision-turns.adb",

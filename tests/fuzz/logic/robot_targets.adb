@@ -4,6 +4,7 @@
 with Commands;
 with Expectations;   use Expectations;
 with Input_Readers;  use Input_Readers;
+with Robot.Health;
 with Robot.Protocol; use Robot.Protocol;
 with Robot.Session;
 
@@ -85,7 +86,7 @@ package body Robot_Targets is
          Last := (Ok => False, others => <>);
          Take (R, B);
          case Next.Kind is
-            when Robot.Session.Exchange | Robot.Session.Synchronise =>
+            when Robot.Session.Exchange =>
                case B is
                   when 0 =>
                      null;  --  nothing in time
@@ -109,9 +110,9 @@ package body Robot_Targets is
                   Last.Text := Text_Of (F);
                   --  as Robot.Exchange has it
                   Last.Ok :=
-                    (if Next.Kind = Robot.Session.Synchronise
-                     then Is_Answer (Last.Reply.Kind, Next.Command.Kind)
-                     else Last.Reply.Kind not in Failed_Reply);
+                    (if Robot.Health.In_Step (S.Health)
+                     then Last.Reply.Kind not in Failed_Reply
+                     else Is_Answer (Last.Reply.Kind, Next.Command.Kind));
                end if;
             when others =>
                Last.Ok := B mod 2 = 0;

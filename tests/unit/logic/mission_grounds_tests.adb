@@ -23,7 +23,11 @@ procedure Mission_Grounds_Tests is
    --  Six pixels a centimetre, for 80 x 60 cm
 
    Good : constant Ground :=
-     (Line => (Open => True, Mode => Robot.Session.Started, others => <>),
+     (Line => (Held   => (State  => (Line_Open => True,
+                                     Mode      => Robot.Session.Started,
+                                     others    => <>),
+                          others => <>),
+               others => <>),
       View =>
         (Vision.Mode.Streaming, True, True, Arena => Arena, others => <>),
       Seen =>

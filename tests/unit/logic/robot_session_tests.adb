@@ -26,13 +26,14 @@ procedure Robot_Session_Tests is
    function Mark (C : Wire.Command) return Character is
      (if C = Wire.Stop then '.' else Wire.Letter (C.Kind));
 
-   function Mark (Next : Step) return String is
+   function Mark (S : State; Next : Step) return String is
      (case Next.Kind is
          when Open_Device  => "O",
          when Close_Device => "C",
          when Send         => "!" & Mark (Next.Command),
-         when Exchange     => (1 => Mark (Next.Command)),
-         when Synchronise  => "~" & Mark (Next.Command),
+         when Exchange     =>
+           (if Robot.Health.In_Step (S.Health) then "" else "~")
+           & Mark (Next.Command),
          when Finish       => "");
    --  A step in a trace: a command's letter, a full stop for a stop.
 
@@ -52,7 +53,8 @@ procedure Robot_Session_Tests is
              when '-'        => (others => <>),
              when 'E'        => (Wire.Refused, 0),
              when '0' .. '2' =>
-               (Wire.Digit_Kind (C.Kind),
+               ((if C.Kind = Wire.Battery then Wire.Level
+                 else Wire.Moving_State),
                 Character'Pos (How) - Character'Pos ('0')),
              when others     =>
                (case C.Kind is
@@ -99,14 +101,14 @@ procedure Robot_Session_Tests is
       loop
          Next := Next_Step (S, P);
          exit when Next.Kind = Finish;
-         Append (Made, Mark (Next));
+         Append (Made, Mark (S, Next));
          case Next.Kind is
             when Send | Close_Device | Finish =>
                Continue_Request (S, P, (Ok => False, others => <>));
             when Open_Device =>
                Get (How);
                Continue_Request (S, P, (How = '+', others => <>));
-            when Exchange | Synchronise =>
+            when Exchange =>
                Get (How);
                Continue_Request (S, P, Answer (Next.Command, How));
          end case;
@@ -234,16 +236,14 @@ procedure Robot_Session_Tests is
          when Send =>
             Follow ((True, others => <>));
          when Exchange =>
-            for How of String'("-E+") loop
-               Follow (Answer (Next.Command, How));
-            end loop;
-            if Next.Command.Kind in Wire.Battery | Wire.Busy then
-               Follow (Answer (Next.Command, '1'));
+            Follow (Answer (Next.Command, '-'));
+            Follow (Answer (Next.Command, '+'));
+            if Robot.Health.In_Step (S.Health) then
+               Follow (Answer (Next.Command, 'E'));
+               if Next.Command.Kind in Wire.Battery | Wire.Busy then
+                  Follow (Answer (Next.Command, '1'));
+               end if;
             end if;
-         when Synchronise =>
-            for How of String'("-+") loop
-               Follow (Answer (Next.Command, How));
-            end loop;
          when Finish =>
             null;
       end case;
