@@ -24,10 +24,29 @@ LIMIT = 30.0
 #  Seconds for what has no limit of its own: reached by a test that fails
 
 
+def ran(*command: str | Path, **how: Any) -> tuple[int, str]:
+    """A command's status, and what it says, also of errors. how: subprocess.run's."""
+    how = {"stdout": subprocess.PIPE, "stderr": subprocess.STDOUT, **how}
+    done = subprocess.run(command, text=True, check=False, **how)
+    return done.returncode, done.stdout
+
+
+def fact(process: int, key: str) -> int:
+    """From the process's status: 0 when there is none."""
+    with contextlib.suppress(OSError):
+        status = Path(f"/proc/{process}/status").read_text(encoding="ascii")
+        if found := re.search(rf"^{key}:\s*(\d+)", status, re.M):
+            return int(found[1])
+    return 0
+
+
 def await_(
-    condition: Callable[[], Any], what: str, within: float = LIMIT, every: float = 0.02
+    condition: Callable[[], Any],
+    what: str | Callable[[], str],
+    within: float = LIMIT,
+    every: float = 0.02,
 ) -> Any:
-    """The first true value of condition."""
+    """The first true value of condition; what: that it did not become so."""
     end = time.monotonic() + within
     while True:
         late = time.monotonic() > end
@@ -35,7 +54,8 @@ def await_(
         if value:
             return value
         if late:
-            raise AssertionError(f"not within {within} s: {what}")
+            what = what if isinstance(what, str) else what()
+            raise AssertionError(f"not within {within:.3f} s: {what}")
         time.sleep(every)
 
 
@@ -144,17 +164,11 @@ class Note:
 
 
 class Emulator(Child):
-    def __init__(
-        self,
-        line_at: Path,
-        line: str,
-        *options: str,
-        program: Path = PROGRAMS / "destijl_emulator",
-    ) -> None:
+    def __init__(self, line_at: Path, line: str, *options: str) -> None:
         """Its line: a socket or a link to a terminal."""
         self.line_at = line_at
         super().__init__(
-            program,
+            PROGRAMS / "destijl_emulator",
             *(f"--{line}", line_at, "--camera-port", "0", "--boot-ms", "100"),
             *options,
         )

@@ -10,7 +10,6 @@ import threading
 import time
 from collections import Counter
 
-import standstills
 from ledger import Message
 from links import inside
 from parties import LIMIT
@@ -39,9 +38,8 @@ class Monitor:
         address: str = "127.0.0.1",
         receive_buffer: int = 0,
         namespace: str = "",
-        priority: int = 0,
     ) -> None:
-        """receive_buffer 0: the system's. priority: of its reader."""
+        """receive_buffer 0: the system's."""
         with inside(namespace):
             self._socket = socket.socket()
         if receive_buffer:
@@ -54,12 +52,11 @@ class Monitor:
             self._socket = None
             raise AssertionError(f"no connection to port {port}: {problem}") from None
         self._socket.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
-        arguments = (self._socket, priority)
+        arguments = (self._socket,)
         self._reader = threading.Thread(target=self._read, args=arguments, daemon=True)
         self._reader.start()
 
-    def _read(self, connection: socket.socket, priority: int) -> None:
-        standstills.prefer_real_time(priority)
+    def _read(self, connection: socket.socket) -> None:
         poll = select.poll()
         poll.register(connection, select.POLLIN)
         rest = b""

@@ -54,14 +54,6 @@ class Injection(NamedTuple):
         return -(cost if cost >= LONG else 0.0), repr(plan_of(self.faults))
 
 
-def programs(parser: argparse.ArgumentParser) -> None:
-    """The options that name them."""
-    for name, program in (("supervisor", "destijl"), ("emulator", "destijl_emulator")):
-        parser.add_argument(
-            f"--{name}", type=Path, default=PROGRAMS / program, help=f"({program})"
-        )
-
-
 def at_least(low: int, high: int = 2**31) -> Callable[[str], int]:
     def number(text: str) -> int:
         if not low <= int(text) <= high:
@@ -82,7 +74,7 @@ def options() -> argparse.Namespace:
     add("--at", type=at_least(1), help="only that repetition")
     add("--jobs", type=at_least(1, 32), default=12, help="worlds side by side (12)")
     add("--short", action="store_true", help="each fault once, some pairs")
-    programs(parser)
+    add("--supervisor", type=Path, default=PROGRAMS / "destijl", help="(destijl)")
     add("--list", action="store_true", help="the faults' names")
     chosen = parser.parse_args()
     if chosen.short:
@@ -127,47 +119,6 @@ def injections(chosen: argparse.Namespace) -> list[Injection]:
     return sorted(wanted, key=lambda item: item.order)
 
 
-class Table:
-    """How often each fault was injected, alone and in pairs, and the violations."""
-
-    def __init__(self) -> None:
-        self.figures = Figures()
-        self.injections = self.violations = 0
-        self._counts: Counter[tuple[int, str]] = Counter()
-
-    def count(self, item: Injection, result: Result) -> None:
-        self.figures.add(result.figures)
-        column = "alone" if item.second is None else "in pairs"
-        if result.end == "impossible":
-            self._counts[item.first, "impossible"] += column == "alone"
-            return
-        self.injections += 1
-        self.violations += result.end == "violated"
-        for fault in item.faults:
-            number = ALL.index(fault)
-            self._counts[number, column] += 1
-            self._counts[number, "violations"] += result.end == "violated"
-
-    def markdown(self) -> str:
-        lines = ["| group | fault | alone | in pairs | violations |", "|---" * 5 + "|"]
-        for number, fault in enumerate(ALL):
-            alone, pairs, violations, impossible = (
-                self._counts[number, column]
-                for column in ("alone", "in pairs", "violations", "impossible")
-            )
-            if alone or pairs or impossible:
-                said = alone or ("not possible here" if impossible else 0)
-                lines.append(
-                    f"| {fault.group} | {fault.name} | {said} | {pairs}"
-                    f" | {violations} |"
-                )
-        return "\n".join(lines) + "\n"
-
-
-def end(*_: object) -> NoReturn:
-    raise SystemExit(1)
-
-
 class Hangs(Exception):
     """An injection has not ended in time."""
 
@@ -187,13 +138,13 @@ def work(
     jobs."""
     os.setsid()
     #  with its parent
-    signal.signal(signal.SIGTERM, end)
+    signal.signal(signal.SIGTERM, lambda *_: sys.exit(1))
     ctypes.CDLL(None).prctl(1, signal.SIGTERM)
     #  which nohup ignores, and so would the supervisor
     signal.signal(signal.SIGHUP, signal.SIG_DFL)
     signal.signal(signal.SIGALRM, hangs)
     folder.chmod(0o777)
-    trials = Trials(World(folder, watch, chosen.supervisor, chosen.emulator))
+    trials = Trials(World(folder, watch, chosen.supervisor))
     try:
         for items, taken in shares:
             while True:
@@ -214,7 +165,7 @@ def work(
         trials.finish()
 
 
-def run(chosen: argparse.Namespace, place: Path, table: Table) -> None:
+def run(chosen: argparse.Namespace, place: Path) -> list[Result]:
     wanted = injections(chosen)
     heavy, others = (
         ([item for item in wanted if item.heavy is kind], FORK.Value("i"))
@@ -222,6 +173,7 @@ def run(chosen: argparse.Namespace, place: Path, table: Table) -> None:
     )
     watch = Watch()
     results = FORK.Queue()
+    told: list[Result] = []
     jobs = []
     for number in range(min(chosen.jobs, len(wanted))):
         shares = [heavy, others] if number < MOST_HEAVY else [others]
@@ -234,15 +186,11 @@ def run(chosen: argparse.Namespace, place: Path, table: Table) -> None:
     try:
         for number in range(len(wanted)):
             item, result = results.get(timeout=2 * INJECTION_LIMIT)
-            table.count(item, result)
+            told.append(result)
             tell(item, result, chosen.seed)
             if time.monotonic() - shown > 60.0:
                 shown = time.monotonic()
-                print(
-                    f"{number + 1} of {len(wanted)} injections, {table.violations}"
-                    " violations so far",
-                    flush=True,
-                )
+                print(f"{number + 1} of {len(wanted)} injections", flush=True)
     finally:
         for job in jobs:
             job.terminate()
@@ -253,6 +201,7 @@ def run(chosen: argparse.Namespace, place: Path, table: Table) -> None:
                 os.killpg(job.pid, signal.SIGKILL)
             job.join()
             Link(job.pid).remove()
+    return told
 
 
 def tell(item: Injection, result: Result, seed: int) -> None:
@@ -276,12 +225,13 @@ def main() -> None:
     print(f"seed {chosen.seed}", flush=True)
     hard = resource.getrlimit(resource.RLIMIT_NOFILE)[1]
     resource.setrlimit(resource.RLIMIT_NOFILE, (hard, hard))
-    table = Table()
     with tempfile.TemporaryDirectory(prefix="destijl_faults.") as place:
         Path(place).chmod(0o755)
-        run(chosen, Path(place), table)
-    print(table.markdown(), end="")
-    figures = table.figures
+        results = run(chosen, Path(place))
+    figures = Figures()
+    for result in results:
+        figures.add(result.figures)
+    ends = Counter(result.end for result in results)
     print(
         f"{figures.stops} stops of a moving robot after a close or a reset: the slowest"
         f" after {ms(figures.slowest_stop)}, {figures.late_stops} later than the"
@@ -297,8 +247,9 @@ def main() -> None:
             f"{figures.interrupted} injections were made again: the machine's host had"
             " taken its processors"
         )
-    print(f"{table.injections} injections, {table.violations} violations")
-    sys.exit(1 if table.violations or not table.injections else 0)
+    injections = ends["held"] + ends["violated"]
+    print(f"{injections} injections, {ends['violated']} violations")
+    sys.exit(1 if ends["violated"] or not injections else 0)
 
 
 if __name__ == "__main__":

@@ -14,6 +14,7 @@ from client import Monitor
 from faults import Ends, Fault
 from links import Skipped
 from parties import PROGRAMS
+from standstills import prefer_real_time
 from world import (
     ANSWER_LIMIT,
     BUSY_LIMIT,
@@ -27,16 +28,8 @@ from world import (
 )
 
 ROOT = os.geteuid() == 0
-
-
-def real_time_allowed() -> bool:
-    """To this process; afterwards it has an ordinary priority."""
-    try:
-        os.sched_setscheduler(0, os.SCHED_FIFO, os.sched_param(99))
-    except PermissionError:
-        return False
-    os.sched_setscheduler(0, os.SCHED_OTHER, os.sched_param(0))
-    return True
+REAL_TIME = prefer_real_time() and prefer_real_time(0)
+#  Whether it is allowed here
 
 
 def stop(w: World, number: signal.Signals) -> None:
@@ -291,7 +284,7 @@ def started(
     needs_root: bool = True,
     alone: bool = True,
 ) -> Fault:
-    possible = not needs_root or (ROOT and (not real_time or real_time_allowed()))
+    possible = not needs_root or (ROOT and (not real_time or REAL_TIME))
     plan: dict[str, object] = {"fresh": True}
     if launcher and ROOT and possible:
         plan |= {"copied": True, "launcher": launcher}

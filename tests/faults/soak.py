@@ -6,7 +6,6 @@ beginning, 1 not so, 2 bad usage."""
 from __future__ import annotations
 
 import argparse
-import csv
 import itertools
 import math
 import os
@@ -16,18 +15,18 @@ import sys
 import tempfile
 import threading
 import time
-from collections.abc import Callable, Iterable
+from collections.abc import Iterable
 from dataclasses import dataclass, field
 from pathlib import Path
 
 from client import Monitor
 from faults import Ends, Fault
-from inject import at_least, programs
+from inject import at_least
 from ledger import USUAL, Message
-from parties import await_
+from parties import PROGRAMS, await_, fact
 from standstills import TOO_LONG, Watch, host_taken, prefer_real_time
 from trials import ALL, Trials, name_of
-from world import World, check, descriptors, fact
+from world import World, check, descriptors
 
 LONGEST_FAULT = 12.0
 #  Seconds: longer ones would leave no time for others
@@ -37,16 +36,23 @@ ANSWER_TIME_OUT = 0.08
 MOST_STOLEN = 1.0
 #  Percent of the processors in a judged second: two steps of 10 ms on two processors
 
+TIMES = {
+    "median": (0.5, 0.5),
+    "p99": (0.99, 2),
+    "p99.9": (0.999, 2),
+    "maximum": (1, 10),
+}
+#  Of the answers: the share, and the milliseconds permitted beside half as much again
+
 
 @dataclass
 class Second:
     second: float
     #  since the recording began
     calm: bool
-    faults: int
-    #  so far
     stolen_percent: float
-    memory_kb: int
+    memory: int
+    #  kB
     descriptors: int
     threads: int
 
@@ -62,7 +68,6 @@ class Records:
     images: list[tuple[float, float]] = field(default_factory=list)
     #  when, and how long: from a command to the supervisor's own answer, or since the
     #  image before
-    faults: list[str] = field(default_factory=list)
     calm: bool = False
     disturbed: bool = True
     #  since the last second
@@ -85,7 +90,6 @@ class Records:
                 Second(
                     time.monotonic() - self.start,
                     calm,
-                    len(self.faults),
                     100 * (taken - before) / (os.cpu_count() or 1),
                     fact(self.process, "VmRSS"),
                     len(descriptors(self.process)),
@@ -99,48 +103,27 @@ class Records:
         near = self.seconds[max(0, int(second) - 1) : int(second) + 1]
         return all(one.stolen_percent <= MOST_STOLEN for one in near)
 
-    def tenth(self, last: bool) -> Tenth:
+    def tenth(self, last: bool) -> dict[str, float]:
+        """Its figures, without what the host has disturbed."""
         end = self.seconds[-1].second
         first, until = (end * 0.9, math.inf) if last else (0.0, end / 10)
 
-        def chosen(events: list[tuple[float, float]]) -> list[float]:
-            return sorted(
-                value
-                for when, value in events
-                if first <= when - self.start < until and self.quiet(when - self.start)
-            )
+        def judged(second: float) -> bool:
+            return first <= second < until and self.quiet(second)
 
-        calm = [s for s in self.seconds if s.calm and first <= s.second < until]
-        return Tenth(calm, chosen(self.answers), chosen(self.images), self)
-
-    def write_csv(self, path: Path) -> None:
-        """A line per second, which tests/bench/plots.py draws."""
-        names = list(Second.__annotations__)
-        with path.open("w", newline="", encoding="utf-8") as file:
-            writer = csv.writer(file, lineterminator="\n")
-            more = "images answers median_ms p99_ms maximum_ms fault_begun"
-            writer.writerow([*names, *more.split()])
-            begun = 0
-            for one in self.seconds:
-                until = self.start + one.second
-                images, answers = (
-                    sorted(value for when, value in events if until - 1 <= when < until)
-                    for events in (self.images, self.answers)
-                )
-                times = [
-                    f"{quantile(answers, q) * 1000:.2f}" if answers else ""
-                    for q in (0.5, 0.99, 1.0)
-                ]
-                fault = self.faults[one.faults - 1] if one.faults > begun else ""
-                begun = one.faults
-                own = vars(one) | {
-                    "second": round(one.second),
-                    "calm": int(one.calm),
-                    "stolen_percent": f"{one.stolen_percent:.2f}",
-                }
-                writer.writerow(
-                    [*own.values(), len(images), len(answers), *times, fault]
-                )
+        answers, images = (
+            sorted(value for when, value in events if judged(when - self.start))
+            for events in (self.answers, self.images)
+        )
+        calm = [one for one in self.seconds if one.calm and judged(one.second - 0.5)]
+        figures: dict[str, float] = {"calm seconds": len(calm), "answers": len(answers)}
+        for name, (share, _) in TIMES.items():
+            figures[f"answer, {name}, ms"] = round(quantile(answers, share) * 1000, 2)
+        for name in ("memory", "descriptors", "threads"):
+            values = [int(getattr(one, name)) for one in calm]
+            figures[name] = statistics.median_low(values or [0])
+        rate = 1 / statistics.mean(images) if images else 0.0
+        return figures | {"images a second": round(rate, 3)}
 
 
 def quantile(values: list[float], share: float) -> float:
@@ -149,78 +132,34 @@ def quantile(values: list[float], share: float) -> float:
     return values[max(0, place)] if values else 0.0
 
 
-@dataclass
-class Tenth:
-    calm: list[Second]
-    answers: list[float]
-    images: list[float]
-    records: Records
-
-    @property
-    def disturbed(self) -> int:
-        return sum(not self.records.quiet(one.second - 0.5) for one in self.calm)
-
-    def median(self, name: str) -> int:
-        values = [int(getattr(one, name)) for one in self.calm]
-        return statistics.median_low(values) if values else 0
-
-    def answer(self, share: float) -> float:
-        """Milliseconds."""
-        return quantile(self.answers, share) * 1000
-
-    @property
-    def rate(self) -> float:
-        return 1 / statistics.mean(self.images) if self.images else 0.0
+def limit_of(name: str, first: float, last: float) -> tuple[str, bool]:
+    """And whether it is met. A leak of a kilobyte per second adds 1600 between the
+    middles of the two tenths of half an hour; the other margins are for a shared
+    machine."""
+    match name.split(", "):
+        case ["answer", kind, _]:
+            most = 1.5 * first + TIMES[kind][1]
+            return f"<= {most:.2f}", last <= most
+        case ["memory"]:
+            return f"<= {first + 1024} kB", last <= first + 1024
+        case ["descriptors" | "threads"]:
+            return "the same", first == last
+        case ["images a second"]:
+            return "within 1 %", first > 0.0 and abs(last - first) <= 0.01 * first
+        case _:
+            return "> 0", first > 0 and last > 0
 
 
-def judged(a: Tenth, z: Tenth) -> bool:
-    """Prints the table. A leak of a kilobyte per second adds 1600 between the middles
-    of the two tenths of half an hour; the other margins are for a shared machine."""
+def judged(first: dict[str, float], last: dict[str, float]) -> bool:
+    """Prints the table."""
     good = True
-
-    def line(name: str, first: str, last: str, limit: str, met: bool) -> None:
-        nonlocal good
+    print(f"| {'':19} | 1st tenth |last tenth | {'limit':12} | met |")
+    print("|---|---|---|---|---|")
+    for name, begun in first.items():
+        limit, met = limit_of(name, begun, last[name])
         good = good and met
         said = "yes" if met else "NO "
-        print(f"| {name:24} | {first:>9} | {last:>9} | {limit:26} | {said} |")
-
-    def count(name: str, of: Callable[[Tenth], int]) -> None:
-        line(name, str(of(a)), str(of(z)), "> 0", of(a) > 0 and of(z) > 0)
-
-    print(f"| {'':24} | 1st tenth |last tenth | {'limit':26} | met |")
-    print("|---|---|---|---|---|")
-    count("calm seconds", lambda t: len(t.calm))
-    line(
-        "not judged: the host's",
-        str(a.disturbed),
-        str(z.disturbed),
-        "not all",
-        a.disturbed < len(a.calm) and z.disturbed < len(z.calm),
-    )
-    count("answers", lambda t: len(t.answers))
-    for name, share, margin in (
-        ("median", 0.5, 0.5),
-        ("p99", 0.99, 2),
-        ("p99.9", 0.999, 2),
-        ("maximum", 1.0, 10),
-    ):
-        first, last = a.answer(share), z.answer(share)
-        most = 1.5 * first + margin
-        limit = f"<= {most:.2f} (x 1.5 + {margin})"
-        line(f"answer, {name}, ms", f"{first:.2f}", f"{last:.2f}", limit, last <= most)
-    first, last = a.median("memory_kb"), z.median("memory_kb")
-    limit = f"<= {first + 1024} (+ 1024)"
-    line("memory, kB", str(first), str(last), limit, last <= first + 1024)
-    for name in ("descriptors", "threads"):
-        first, last = a.median(name), z.median(name)
-        line(name, str(first), str(last), "the same", first == last)
-    line(
-        "images a second",
-        f"{a.rate:.2f}",
-        f"{z.rate:.2f}",
-        "within 1 %",
-        a.rate > 0.0 and abs(z.rate - a.rate) <= 0.01 * a.rate,
-    )
+        print(f"| {name:19} | {begun:9} | {last[name]:9} | {limit:12} | {said} |")
     return good
 
 
@@ -287,7 +226,8 @@ class Soak:
                 check(item.label == answer, f"{command}: {item.label}")
 
         try:
-            monitor.connect(self.world.port, priority=60)
+            prefer_real_time()
+            monitor.connect(self.world.port)
             for command in ("ROPN", "RSWW", "COPN", "CPCO"):
                 item = answer_to(command)
                 check(item.label == "AACK", f"{command}: {item.label}")
@@ -295,7 +235,6 @@ class Soak:
             next_of(("CIMG",), 0)
             time.sleep(0.5)
             first = len(monitor.messages)
-            prefer_real_time()
             self.records.set_calm(True)
             end = time.monotonic() + for_time
             while time.monotonic() <= end:
@@ -342,14 +281,13 @@ class Soak:
             if time.monotonic() >= end:
                 break
             fault = self.source.choice(self.eligible)
-            records.faults.append(fault.name)
             repetition += 1
             self.inject(fault, repetition)
         records.ended.set()
         sampler.join()
         late = "; the emulated line was late, or the host had taken the processors"
         print(
-            f"{minutes} minutes, {len(records.faults)} faults of {len(self.eligible)}"
+            f"{minutes} minutes, {repetition - 1} faults of {len(self.eligible)}"
             f" kinds, seed {self.seed}"
             + (f"{late}, {self.late_answers} times" if self.late_answers else "")
         )
@@ -363,25 +301,21 @@ def main() -> None:
     parser = argparse.ArgumentParser(prog="script/soak", description=__doc__)
     #  a tenth must have several calm stretches
     minutes = at_least(2, 24 * 60)
-    parser.add_argument("--minutes", type=minutes, default=30, help="how long (30)")
-    parser.add_argument("--seed", type=at_least(0), help="of everything random")
-    parser.add_argument("--csv", type=Path, help="write a line for each second")
-    programs(parser)
+    add = parser.add_argument
+    add("--minutes", type=minutes, default=30, help="how long (30)")
+    add("--seed", type=at_least(0), help="of everything random")
+    add("--supervisor", type=Path, default=PROGRAMS / "destijl", help="(destijl)")
     chosen = parser.parse_args()
-    seed = chosen.seed
-    if seed is None:
-        seed = random.randrange(1_000_000)
+    seed = random.randrange(1_000_000) if chosen.seed is None else chosen.seed
     print(f"seed {seed}", flush=True)
     watch = Watch()
     with tempfile.TemporaryDirectory(prefix="destijl_soak.") as place:
-        world = World(Path(place), watch, chosen.supervisor, chosen.emulator)
+        world = World(Path(place), watch, chosen.supervisor)
         soak = Soak(world, seed)
         try:
             good = soak.run(chosen.minutes)
         finally:
             soak.trials.finish()
-        if chosen.csv:
-            soak.records.write_csv(chosen.csv)
     print(
         ("" if good else "NOT ")
         + f"in the end as in the beginning, {soak.violations} violations"

@@ -29,11 +29,14 @@ TOO_MUCH = 0.05
 #  by the host from all processors together
 
 
-def prefer_real_time(priority: int = ABOVE_SUPERVISOR) -> None:
-    """For the calling thread, where it is permitted; 0: an ordinary one again."""
+def prefer_real_time(priority: int = ABOVE_SUPERVISOR) -> bool:
+    """For the calling thread and those that it starts, where it is permitted, which is
+    told; 0: an ordinary one again."""
     policy = os.SCHED_FIFO if priority else os.SCHED_OTHER
     with contextlib.suppress(PermissionError):
         os.sched_setscheduler(0, policy, os.sched_param(priority))
+        return True
+    return False
 
 
 def host_taken() -> float:

@@ -19,7 +19,7 @@ from typing import Any
 from client import Monitor
 from ledger import ANSWERS, Ledger, Message, kind_of
 from links import Link
-from parties import LIMIT, PROGRAMS, Emulator, Supervisor, await_
+from parties import LIMIT, PROGRAMS, Emulator, Supervisor, await_, fact
 from standstills import TOO_LONG, Watch
 
 #  Requirements
@@ -144,17 +144,6 @@ def ms(span: float) -> str:
     return f"{span * 1000:.3f} ms"
 
 
-def fact(process: int, key: str) -> int:
-    """From the process's status: 0 when there is none."""
-    try:
-        for line in Path(f"/proc/{process}/status").read_text().splitlines():
-            if line.startswith(key + ":"):
-                return int(line.split()[1])
-    except OSError:
-        pass
-    return 0
-
-
 def descriptors(process: int) -> set[int]:
     try:
         return {int(name) for name in os.listdir(f"/proc/{process}/fd")}
@@ -190,7 +179,6 @@ class World:
     folder: Path
     watch: Watch
     supervisor_program: Path = PROGRAMS / "destijl"
-    emulator_program: Path = PROGRAMS / "destijl_emulator"
     link: Link = field(default_factory=Link)
     #  of all worlds of this process, one after the other
     monitor: Monitor = field(default_factory=Monitor)
@@ -265,7 +253,6 @@ class World:
             #  small ones: a dozen worlds share two processors; the supervisor takes
             #  ten a second
             *plan.emulator_options.split(),
-            program=self.emulator_program,
         )
         self.expect_status("state", "idle")
         self.start_supervisor()
@@ -523,18 +510,14 @@ class World:
         since: float = 0.0,
         every: float = 0.005,
     ) -> None:
-        """Listens until it is so, within that time of since, or of now; what: that is
-        not."""
-        end = (since or time.monotonic()) + within
-        while True:
-            late = time.monotonic() > end
+        """Listens until it is so, within that time of since, or of now."""
+
+        def heard() -> Any:
             self.listen()
-            if condition():
-                return
-            if late:
-                what = what if isinstance(what, str) else what()
-                raise AssertionError(f"not within {ms(within)}: {what}")
-            time.sleep(every)
+            return condition()
+
+        left = within + since - time.monotonic() if since else within
+        await_(heard, what, left, every)
 
     def expect_answers(self, within: float = ANSWER_LIMIT) -> None:
         """Waits until all commands are answered."""

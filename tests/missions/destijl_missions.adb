@@ -7,18 +7,15 @@ with Ada.Strings.Unbounded; use Ada.Strings.Unbounded;
 with Ada.Text_IO;           use Ada.Text_IO;
 with GNAT.OS_Lib;
 
-with Emulators;
 with Expectations;
 with Json_Texts;            use Json_Texts;
 with Mission_Judges;        use Mission_Judges;
-with Mission_Pictures;
 with Mission_Plans;         use Mission_Plans;
 with Option_Readers;        use Option_Readers;
 with Own_Process;
 with Plain_Numbers;         use Plain_Numbers;
 with Programs;
 with Real_Missions;
-with Robot_Motion;
 with Simulated_Missions;
 with Standstills;
 
@@ -33,12 +30,6 @@ procedure Destijl_Missions is
    Changing  : Natural  := 0;
    Radio     : Boolean  := False;
 
-   Picture, Journal, Pose, Order : Unbounded_String;
-
-   Wheels : Robot_Motion.Wheel_Errors;
-
-   Status : Integer := 0;
-
    procedure Say (Text : String) is
    begin
       Put_Line (Text);
@@ -51,12 +42,6 @@ procedure Destijl_Missions is
      & "   --simulated N   missions in simulated time (0)" & LF
      & "   --real N        missions of the supervisor (0)" & LF
      & "   --radio         these by radio" & LF
-     & "   --picture FILE  draws one instead: SVG" & LF
-     & "   --journal FILE  ... what the emulator has printed" & LF
-     & "   --pose X,Y,A    ... where it stood: cm, degrees" & LF
-     & "   --order MPCM:X;Y;..." & LF
-     & "   --speed N --turn-speed N --overshoot N --pull N" & LF
-     & "                   ... its wheels, as the emulator has" & LF
      & "   --seed N        others (1)" & LF
      & "   --least N       through N to 12 points (5)" & LF
      & "   --changing N    speeds, from order to order, by N percent" & LF
@@ -101,22 +86,6 @@ procedure Destijl_Missions is
             Radio := True;
          elsif Name = "--seed" then
             Seed := Number (0);
-         elsif Name = "--picture" then
-            Picture := To_Unbounded_String (Value);
-         elsif Name = "--journal" then
-            Journal := To_Unbounded_String (Value);
-         elsif Name = "--pose" then
-            Pose := To_Unbounded_String (Value);
-         elsif Name = "--order" then
-            Order := To_Unbounded_String (Value);
-         elsif Name = "--speed" then
-            Wheels.Speed := Number;
-         elsif Name = "--turn-speed" then
-            Wheels.Turn_Speed := Number;
-         elsif Name = "--overshoot" then
-            Wheels.Overshoot := Number (0);
-         elsif Name = "--pull" then
-            Wheels.Pull := Number (Integer'First);
          elsif Name = "--first" then
             First := Number;
          elsif Name = "--step" then
@@ -130,30 +99,6 @@ procedure Destijl_Missions is
          end if;
       end loop;
    end Read_Command_Line;
-
-   procedure Draw is
-      --  Status 1 where it is not as it should be
-      P     : Plan := Read (To_String (Pose), To_String (Order));
-      Notes : Emulators.Notes;
-      V     : Verdict;
-   begin
-      P.Wheels := Wheels;
-      Mission_Pictures.Read_Journal (To_String (Journal), Notes);
-      if Notes.Is_Empty then
-         raise Bad_Plan with "no journal in " & To_String (Journal);
-      end if;
-      Mission_Pictures.Draw (P, Notes, To_String (Picture), V);
-      Put_Line
-        (Image (V.Passed) & " of " & Image (P.Count) & " points passed, "
-         & Rounded (Float (V.Pass), 1) & " mm from them at most, by "
-         & Image (V.Orders) & " orders in " & Rounded (Float (V.Time), 1)
-         & " s; exact turns and drives would take "
-         & Rounded (Float (V.Exact), 1) & " s");
-      if V.Wrong /= "" then
-         Put_Line (To_String (V.Wrong));
-         Status := 1;
-      end if;
-   end Draw;
 
    procedure Run_Real (Which : Positive) is
       --  Again where it misses a goal and the machine stood still meanwhile,
@@ -209,9 +154,6 @@ procedure Destijl_Missions is
 begin
    Own_Process.Ignore_Broken_Pipes;
    Read_Command_Line;
-   if Picture /= "" then
-      Draw;
-   end if;
    for K in 0 .. Simulated - 1 loop
       Run_Simulated (Random (Seed, First + K * Step, Least));
    end loop;
@@ -222,12 +164,9 @@ begin
       Run_Real (First + K * Step);
    end loop;
    Programs.Remove_Temporary_Folder;
-   GNAT.OS_Lib.OS_Exit (Status);
+   GNAT.OS_Lib.OS_Exit (0);
 
 exception
-   when Problem : Bad_Plan =>
-      Programs.Give_Up
-        ("destijl_missions: " & Ada.Exceptions.Exception_Message (Problem), 2);
    when Problem : others =>
       Programs.Give_Up (Problem);
 end Destijl_Missions;

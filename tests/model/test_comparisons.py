@@ -5,12 +5,11 @@ is planted, and the place is named. Needs no SPIN, but bin/schedulability."""
 
 import re
 import shutil
-import subprocess
 from pathlib import Path
 
 import pytest
+from parties import ROOT, ran
 
-ROOT = Path(__file__).parents[2]
 TOOLS = {
     "steps": ["proofs/model/steps"],
     "calls": ["proofs/schedulability/calls", "--counts"],
@@ -33,24 +32,16 @@ def says(tree: Path, tool: str, file: str, script: str) -> tuple[int, str]:
     """Its status and output, with this file changed by sed."""
     kept = (tree / file).read_bytes()
     try:
-        subprocess.run(["sed", "-i", "-E", script, file], cwd=tree, check=True)
+        assert ran("sed", "-i", "-E", script, file, cwd=tree) == (0, "")
         assert (tree / file).read_bytes() != kept
-        done = subprocess.run(
-            TOOLS[tool],
-            cwd=tree,
-            stdout=subprocess.PIPE,
-            stderr=subprocess.STDOUT,
-            text=True,
-            check=False,
-        )
-        return done.returncode, done.stdout
+        return ran(*TOOLS[tool], cwd=tree)
     finally:
         (tree / file).write_bytes(kept)
 
 
 @pytest.mark.parametrize("tool", TOOLS)
 def test_as_it_is(tree: Path, tool: str) -> None:
-    subprocess.run(TOOLS[tool], cwd=tree, check=True)
+    assert ran(*TOOLS[tool], cwd=tree)[0] == 0
 
 
 @pytest.mark.parametrize("fault", FAULTS, ids=NAMES)

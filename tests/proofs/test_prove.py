@@ -2,15 +2,14 @@
 """script/prove notices what makes its record wrong: in a small tree, with a
 record that a stand-in for GNATprove made, one thing after the other is spoilt."""
 
-import json
 import os
 import shutil
-import subprocess
 from pathlib import Path
 
 import pytest
+from parties import ROOT, ran
 
-PROVE = Path(__file__).parents[2] / "script/prove"
+PROVE = ROOT / "script/prove"
 BODY = "src/robot/whole.adb"
 RECORD = "proofs/results"
 
@@ -58,24 +57,15 @@ exit "${STATUS-0}"
 """
 
 
-def check(**more: object) -> dict[str, object]:
-    one = {"file": "a.adb", "line": 7, "col": 1, "rule": "VC_RANGE_CHECK"}
-    one |= {"severity": "info", "entity": {"name": "A"}, "how_proved": "prover"}
-    return one | more
-
-
-def result(folder: Path, **more: object) -> None:
-    """GNATprove's result files, one check a unit by each way to prove it."""
+def result(folder: Path, justified: str = ".", unproved: str = ".") -> None:
+    """What GNATprove reports."""
     folder.mkdir(exist_ok=True)
-    for unit in UNITS:
-        flow = [check(rule="UNINITIALIZED", how_proved="flow")]
-        found = {"flow": flow, "proof": [check(**more)]}
-        (folder / f"{unit}.spark").write_text(json.dumps(found))
     units = [
         f"in unit {unit}, {some} subprograms and packages out of 3 analyzed\n"
         for unit, some in UNITS.items()
     ]
-    head = "Summary\nTotal 6\n\nmax steps used: 1\n"
+    total = f"Total    6   3 (50%)   .   3 (50%)   {justified}   {unproved}\n"
+    head = f"Summary\n{total}\nmax steps used: 1\n"
     (folder / "gnatprove.out").write_text(head + "".join(units))
 
 
@@ -89,15 +79,7 @@ class Tree:
         }
 
     def run(self, *parts: str, **more: str) -> tuple[int, str]:
-        done = subprocess.run(
-            ["script/prove", *parts],
-            cwd=self.root,
-            env=self.environment | more,
-            capture_output=True,
-            text=True,
-            check=False,
-        )
-        return done.returncode, done.stdout + done.stderr
+        return ran("script/prove", *parts, cwd=self.root, env=self.environment | more)
 
     def refuses(self, words: str, *parts: str, **more: str) -> None:
         status, said = self.run(*(parts or ["record"]), **more)
@@ -166,8 +148,7 @@ def test_the_record_and_another_run_agree(tree: Tree) -> None:
     ]
     tree.passes("", "installed")
     tree.passes("record  6 checks, 0 unproved", "record", "gnatprove")
-    for file in (tree.stand_in / "results").glob("*.spark"):
-        file.unlink()
+    (tree.stand_in / "results/gnatprove.out").unlink()
     tree.refuses("no result of GNATprove", "gnatprove")
 
 
@@ -188,8 +169,8 @@ def test_gnatprove_of_the_crate_is_found(tree: Tree) -> None:
 
 def test_a_run_that_does_not_prove_all_is_refused(tree: Tree) -> None:
     tree.refuses("gnatprove: 1 messages above", "update", STATUS="1")
-    for more in ({"severity": "medium"}, {"severity": "medium", "suppressed": "so"}):
-        result(tree.stand_in / "results", **more)
+    for kind in ("justified", "unproved"):
+        result(tree.stand_in / "results", **{kind: "3 (50%)"})
         tree.refuses("6 checks, 3 unproved", "update")
 
 

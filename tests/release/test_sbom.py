@@ -4,13 +4,12 @@
 import json
 import os
 import re
-import subprocess
 from pathlib import Path
 from typing import Any
 
 import pytest
+from parties import ROOT, ran
 
-ROOT = Path(__file__).parents[2]
 PROGRAMS = [str(ROOT / "bin/destijl"), str(ROOT / "bin/destijl_monitor")]
 IDENTIFIER = re.compile(r"SPDXRef-[A-Za-z0-9.-]+")
 LICENCE = re.compile(
@@ -20,15 +19,8 @@ LICENCE = re.compile(
 
 
 def sbom(*arguments: str | Path) -> tuple[int, str]:
-    done = subprocess.run(
-        [ROOT / "script/sbom", *arguments],
-        env=os.environ | {"SOURCE_DATE_EPOCH": "0"},
-        stdout=subprocess.PIPE,
-        stderr=subprocess.STDOUT,
-        text=True,
-        check=False,
-    )
-    return done.returncode, done.stdout
+    at = os.environ | {"SOURCE_DATE_EPOCH": "0"}
+    return ran(ROOT / "script/sbom", *arguments, env=at)
 
 
 @pytest.fixture(scope="module")
@@ -98,12 +90,7 @@ def test_the_gateway_depends_on_python_and_aiohttp() -> None:
     (file,) = json.loads(text)["files"]
     assert (file["fileName"], file["fileTypes"]) == ("./destijl_web", ["TEXT"])
     packages = {one["name"]: one for one in json.loads(text)["packages"]}
-    installed = subprocess.run(
-        ["dpkg-query", "-W", "-f=${Version}", "python3-aiohttp"],
-        capture_output=True,
-        text=True,
-        check=True,
-    ).stdout
+    _, installed = ran("dpkg-query", "-W", "-f=${Version}", "python3-aiohttp")
     assert packages["python3-aiohttp"]["versionInfo"] == installed
     names = " ".join(packages)
     for wanted in (
@@ -117,8 +104,8 @@ def test_the_gateway_depends_on_python_and_aiohttp() -> None:
         "Depends:.* python3-aiohttp .*", (ROOT / "debian/control").read_text()
     )
     least = re.findall(r"\(>= (.*)\)", cause)
-    compare = ["dpkg", "--compare-versions", "3.8.4-1+deb12u1", "lt", *least]
-    assert subprocess.run(compare, check=False).returncode == 0
+    older = ("dpkg", "--compare-versions", "3.8.4-1+deb12u1", "lt", *least)
+    assert ran(*older) == (0, "")
 
 
 def test_the_same_bill_again(text: str) -> None:
@@ -131,11 +118,7 @@ def test_what_is_no_program_is_refused() -> None:
 
 
 def test_a_tarball_that_is_none_has_no_index(tmp_path: Path) -> None:
-    done = subprocess.run(
-        [ROOT / "script/local-index", ROOT / "README.md", tmp_path / "index"],
-        capture_output=True,
-        text=True,
-        check=False,
+    status, said = ran(
+        ROOT / "script/local-index", ROOT / "README.md", tmp_path / "index"
     )
-    assert done.returncode == 1
-    assert "is no release" in done.stderr
+    assert status == 1 and "is no release" in said

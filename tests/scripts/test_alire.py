@@ -3,12 +3,10 @@
 
 import os
 import shutil
-import subprocess
 from pathlib import Path
 
 import pytest
-
-ROOT = Path(__file__).parents[2]
+from parties import ROOT, ran
 
 ALR_2 = """#!/bin/sh
 #  What differs in alr 2
@@ -32,15 +30,7 @@ class User:
         self.environment |= {"HOME": str(home)} | environment
 
     def run(self, *command: str | Path) -> str:
-        return subprocess.run(
-            command,
-            env=self.environment,
-            cwd=self.home,
-            stdout=subprocess.PIPE,
-            stderr=subprocess.STDOUT,
-            text=True,
-            check=False,
-        ).stdout
+        return ran(*command, env=self.environment, cwd=self.home)[1]
 
     def register(self) -> str:
         return self.run(ROOT / "script/register_index")
@@ -91,6 +81,5 @@ def test_what_alr_2_registers_alr_1_reads(tmp_path: Path) -> None:
 def test_git_ignores_what_alire_makes() -> None:
     for folder in ("", "tests/", "proofs/"):
         for name in ("alire", "config"):
-            subprocess.run(
-                ["git", "check-ignore", "-q", f"{folder}{name}/"], cwd=ROOT, check=True
-            )
+            ignored = ran("git", "check-ignore", f"{folder}{name}/", cwd=ROOT)
+            assert ignored[0] == 0

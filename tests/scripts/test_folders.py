@@ -10,8 +10,8 @@ import subprocess
 from pathlib import Path
 
 import pytest
+from parties import ROOT, ran
 
-ROOT = Path(__file__).parents[2]
 ROOMS = ("common", "robot", "monitor", "vision", "missions")
 PLAIN = r"Ada\.(?:Real_Time|Characters|Strings)"
 DOES = rf"(?m)^ *(?:protected|task)\b|\bImport\b|\bwith (?!{PLAIN})(?:GNAT|Ada)"
@@ -31,15 +31,9 @@ def compiled(tree: Path, file: str) -> str:
     folder, name = file.split("/")
     project = f"src/{folder}/{folder}.gpr"
     toolchain = subprocess.check_output([ROOT / "script/toolchain"], text=True).strip()
-    done = subprocess.run(
-        ["gprbuild", "-q", "-p", "-f", "-c", "-u", "-P", project, name],
-        cwd=tree,
-        env={**os.environ, "GPR_CONFIG": toolchain, "DESTIJL_PURPOSE": "supervisor"},
-        stdout=subprocess.PIPE,
-        stderr=subprocess.STDOUT,
-        text=True,
-    )
-    return done.stdout
+    own = {"GPR_CONFIG": toolchain, "DESTIJL_PURPOSE": "supervisor"}
+    build = ("gprbuild", "-q", "-p", "-f", "-c", "-u", "-P", project, name)
+    return ran(*build, cwd=tree, env=os.environ | own)[1]
 
 
 @pytest.mark.parametrize(

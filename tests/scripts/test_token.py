@@ -2,12 +2,12 @@
 """The token that the package makes when it is installed."""
 
 import os
-import subprocess
 from pathlib import Path
 
 import pytest
+from parties import ROOT, ran
 
-POSTINST = Path(__file__).parents[2] / "debian/destijl.postinst"
+POSTINST = ROOT / "debian/destijl.postinst"
 
 
 def configure(tmp_path: Path) -> list[str]:
@@ -21,11 +21,8 @@ def configure(tmp_path: Path) -> list[str]:
         tool.chmod(0o755)
     script = POSTINST.read_text().replace("/etc/destijl", str(tmp_path / "etc"))
     calls.write_text("")
-    subprocess.run(
-        ["sh", "-c", script, "postinst", "configure"],
-        env={"PATH": f"{tools}:{os.environ['PATH']}"},
-        check=True,
-    )
+    environment = {"PATH": f"{tools}:{os.environ['PATH']}"}
+    assert ran("sh", "-c", script, "postinst", "configure", env=environment)[0] == 0
     return calls.read_text().replace(str(tmp_path / "etc"), "").splitlines()
 
 

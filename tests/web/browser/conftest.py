@@ -13,7 +13,8 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from parties import ROOT
+from helpers import token_file
+from parties import ROOT, ran
 from stand import Browser, Page, Stand, be_alone
 
 
@@ -139,19 +140,14 @@ VIEWERS = "the-word-for-the-class"
 
 
 @pytest.fixture
-def tokens(tmp_path: Path) -> tuple[str | Path, ...]:
+def tokens(tmp_path: Path) -> tuple[str, ...]:
     """The gateway's options that name their files."""
-    options: list[str | Path] = []
-    for option, word in (("--token", TEACHERS), ("--viewers-token", VIEWERS)):
-        path = tmp_path / option.strip("-")
-        path.touch(mode=0o600)
-        path.write_text(word + "\n", encoding="ascii")
-        options += [option, path]
-    return tuple(options)
+    teachers, viewers = (token_file(tmp_path, word) for word in (TEACHERS, VIEWERS))
+    return ("--token", teachers, "--viewers-token", viewers)
 
 
 @pytest.fixture
-def guarded(stands: Callable[..., Stand], tokens: tuple[str | Path, ...]) -> Stand:
+def guarded(stands: Callable[..., Stand], tokens: tuple[str, ...]) -> Stand:
     """It asks for these."""
     return stands(*tokens)
 
@@ -172,16 +168,10 @@ def recorder(stands: Callable[..., Stand], recordings: Path) -> Stand:
 @pytest.fixture(scope="session")
 def axe() -> str:
     """axe-core, which script/tools fetches."""
-    place = subprocess.run(
-        ["sh", "-c", '. script/places; echo "$axe"'],
-        cwd=ROOT,
-        stdout=subprocess.PIPE,
-        text=True,
-        check=True,
-    ).stdout.strip()
-    if not Path(place).is_file():
+    _, place = ran("sh", "-c", '. script/places; echo "$axe"', cwd=ROOT)
+    if not Path(place.strip()).is_file():
         pytest.skip("axe-core is not there: script/tools fetches it")
-    return Path(place).read_text(encoding="utf-8")
+    return Path(place.strip()).read_text(encoding="utf-8")
 
 
 class Film:

@@ -5,13 +5,13 @@ test's own on free ports; and a real Chromium."""
 
 from __future__ import annotations
 
+import asyncio
 import contextlib
 import ctypes
 import fcntl
 import json
 import math
 import re
-import select
 import shutil
 import socket
 import struct
@@ -86,82 +86,59 @@ class Cable:
 
     def __init__(self) -> None:
         self.leads_to = 0
-        self._listener = socket.create_server(("127.0.0.1", 0))
-        self.port: int = self._listener.getsockname()[1]
-        self._pairs: dict[socket.socket, socket.socket] = {}
-        self._lock = threading.Lock()
-        self._silent = False
-        self._ended = False
-        threading.Thread(target=self._relay, daemon=True).start()
+        self._writers: list[asyncio.StreamWriter] = []
+        self._whole = asyncio.Event()
+        self._whole.set()
+        self._loop = asyncio.new_event_loop()
+        self._server = self._loop.run_until_complete(
+            asyncio.start_server(self._relay, "127.0.0.1", 0)
+        )
+        self.port: int = self._server.sockets[0].getsockname()[1]
+        threading.Thread(target=self._loop.run_forever, daemon=True).start()
 
-    def _relay(self) -> None:
-        while not self._ended:
-            with self._lock:
-                silent = self._silent
-                watched = [self._listener, *([] if silent else self._pairs)]
-            try:
-                ready, _, _ = select.select(watched, [], [], 0.02)
-            except (OSError, ValueError):
-                continue  # closed meanwhile
-            with self._lock:
-                for one in ready:
-                    if one is self._listener:
-                        self._connect()
-                    elif one in self._pairs:
-                        self._pass_on(one)
-
-    def _connect(self) -> None:
-        near = None
+    async def _relay(
+        self, near: asyncio.StreamReader, to_near: asyncio.StreamWriter
+    ) -> None:
         try:
-            near, _ = self._listener.accept()
-            far = socket.create_connection(("127.0.0.1", self.leads_to))
+            far, to_far = await asyncio.open_connection("127.0.0.1", self.leads_to)
         except OSError:
-            if near is not None:
-                near.close()
+            to_near.close()
             return
-        for one in (near, far):
-            one.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
-            one.settimeout(LIMIT)
-        self._pairs[near] = far
-        self._pairs[far] = near
+        self._writers.extend((to_near, to_far))
+        await asyncio.gather(self._pass_on(near, to_far), self._pass_on(far, to_near))
 
-    def _pass_on(self, one: socket.socket) -> None:
-        other = self._pairs[one]
-        try:
-            data = one.recv(65536)
-            if data:
-                other.sendall(data)
-                return
-        except OSError:
-            pass
-        self._close(one)
-
-    def _close(self, one: socket.socket) -> None:
-        other = self._pairs.pop(one)
-        self._pairs.pop(other, None)
-        one.close()
-        other.close()
+    async def _pass_on(
+        self, reader: asyncio.StreamReader, writer: asyncio.StreamWriter
+    ) -> None:
+        """Also that the connection has ended."""
+        with contextlib.suppress(OSError):
+            while data := await reader.read(65536):
+                await self._whole.wait()
+                writer.write(data)
+                await writer.drain()
+        await self._whole.wait()
+        writer.close()
 
     def cut(self) -> None:
         """Nothing passes any more; both ends do not know."""
-        with self._lock:
-            self._silent = True
+        self._loop.call_soon_threadsafe(self._whole.clear)
 
     def mend(self) -> None:
-        with self._lock:
-            self._silent = False
+        self._loop.call_soon_threadsafe(self._whole.set)
 
     def tear(self) -> None:
         """All connections are closed; new ones may be made."""
-        with self._lock:
-            for one in list(self._pairs):
-                if one in self._pairs:
-                    self._close(one)
+        self._loop.call_soon_threadsafe(self._close_all)
+
+    def _close_all(self) -> None:
+        while self._writers:
+            self._writers.pop().close()
 
     def end(self) -> None:
-        self._ended = True
         self.tear()
-        self._listener.close()
+        self._loop.call_soon_threadsafe(self._server.close)
+        #  the closes take another turn of the loop
+        self._loop.call_soon_threadsafe(self._loop.call_later, 0.1, self._loop.stop)
 
 
 class Stand:
@@ -329,9 +306,7 @@ class Browser:
         else:
             self.command(
                 "Emulation.setDeviceMetricsOverride",
-                width=size[0],
-                height=size[1],
-                deviceScaleFactor=1,
+                **{"width": size[0], "height": size[1], "deviceScaleFactor": 1},
                 mobile=touch,
             )
         self.command("Emulation.setTouchEmulationEnabled", enabled=touch)
@@ -380,11 +355,6 @@ ELEMENT = (
     "arguments[1] ? document.getElementById(arguments[1]) : document.documentElement"
 )
 #  In a script: that of this name, or the page itself
-LINES = (
-    "const lines = [...document.querySelectorAll('#log > li')].map(e =>"
-    "({...e.dataset, text: e.innerText}));"
-)
-#  Of a page's log, in a script
 
 
 class Page:
@@ -407,21 +377,8 @@ class Page:
 
     def data(self, key: str, element: str = "") -> str:
         """An attribute data-KEY, of the page or of an element."""
-        return str(
-            self.run(
-                f"return ({ELEMENT}).getAttribute('data-' + arguments[0]) ?? ''",
-                *(key, element),
-            )
-        )
-
-    def until(
-        self, script: str, *arguments: Any, what: str, within: float = LIMIT
-    ) -> Any:
-        """The first true result of a script."""
-        try:
-            return await_(lambda: self.run(script, *arguments), what, within, 0.05)
-        except AssertionError as late:
-            raise AssertionError(f"{late}; log: {self.log()}") from None
+        script = f"return ({ELEMENT})?.getAttribute('data-' + arguments[0]) ?? ''"
+        return str(self.run(script, key, element))
 
     def all(self, selector: str) -> list[WebElement]:
         return list(self.driver.find_elements(By.CSS_SELECTOR, selector))
@@ -451,31 +408,21 @@ class Page:
 
     def rectangle(self, name: str) -> dict[str, float]:
         """Where an element is in the window."""
-        return dict(
-            self.run(
-                "return document.getElementById(arguments[0]).getBoundingClientRect()"
-                ".toJSON()",
-                name,
-            )
-        )
+        script = "return arguments[0].getBoundingClientRect().toJSON()"
+        return dict(self.run(script, self.element(name)))
 
     def shows(
         self, key: str, value: str, within: float = LIMIT, element: str = ""
     ) -> None:
-        self.until(
-            f"const e = {ELEMENT};"
-            "return e && e.getAttribute('data-' + arguments[0]) === arguments[2]",
-            *(key, element, value),
-            what=f"data-{key}={value}",
-            within=within,
+        await_(
+            lambda: self.data(key, element) == value,
+            lambda: f"data-{key}={value}; log: {self.log()}",
+            *(within, 0.05),
         )
 
     def text(self, name: str) -> str:
-        return str(
-            self.run(
-                "return document.getElementById(arguments[0])?.innerText ?? ''", name
-            )
-        ).strip()
+        script = "return document.getElementById(arguments[0])?.innerText ?? ''"
+        return str(self.run(script, name)).strip()
 
     def visible(self, name: str) -> bool:
         return bool(self.element(name).is_displayed())
@@ -521,11 +468,8 @@ class Page:
 
     def middle(self, name: str) -> tuple[float, float]:
         """Of an element, brought into the window, where it is now."""
-        self.run(
-            "document.getElementById(arguments[0])"
-            ".scrollIntoView({block: 'center', behavior: 'instant'})",
-            name,
-        )
+        script = "arguments[0].scrollIntoView({block: 'center', behavior: 'instant'})"
+        self.run(script, self.element(name))
         r = self.rectangle(name)
         return r["x"] + r["width"] / 2, r["y"] + r["height"] / 2
 
@@ -547,38 +491,40 @@ class Page:
 
     def log(self) -> list[dict[str, str]]:
         """The lines of its log, the latest first."""
-        return list(self.run(f"{LINES} return lines"))
+        return list(
+            self.run(
+                "return [...document.querySelectorAll('#log > li')].map(e =>"
+                "({...e.dataset, text: e.innerText}))"
+            )
+        )
 
     def logged(self, within: float = LIMIT, **wanted: str) -> dict[str, str]:
-        line: dict[str, str] = self.until(
-            f"{LINES} return lines.find(line => Object.entries(arguments[0])"
-            ".every(([key, value]) => line[key] === value))",
-            wanted,
-            what=f"in the log: {wanted}",
-            within=within,
+        lines: list[dict[str, str]] = await_(
+            lambda: [line for line in self.log() if wanted.items() <= line.items()],
+            lambda: f"{wanted} in the log: {self.log()}",
+            *(within, 0.05),
         )
-        return line
+        return lines[0]
 
     def start(self) -> None:
         """The one button for a newcomer: all its steps are done, and the picture
         is there."""
         self.shows("link", "open")
-        self.until(
-            "return document.getElementById('start').ariaDisabled !== 'true'",
-            what="it can be started",
+        button = self.element("start")
+        await_(
+            lambda: button.get_dom_attribute("aria-disabled") != "true",
+            "it can be started",
         )
         self.click("start")
         self.shows("robot", "started")
         self.shows("positions", "true")
         self.await_images(1)
-        self.until(
-            "return !document.getElementById('start-close').hidden",
-            what="the steps are done",
-        )
+        close = self.element("start-close")
+        await_(lambda: not close.get_property("hidden"), "the steps are done")
 
     def close_start(self) -> None:
         """The steps of the start, which lie over the picture."""
-        self.run("document.getElementById('start-close').click()")
+        self.run("arguments[0].click()", self.element("start-close"))
 
     def take_wheel(self) -> None:
         """A page that was late, or hidden, may have lost it."""

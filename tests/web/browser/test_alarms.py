@@ -76,6 +76,8 @@ def test_it_has_switched_itself_off(stand: Stand, page: Page) -> None:
 def test_lost(stand: Stand, driver: Page) -> None:
     """Also for a page that comes later."""
     stand.emulator.ask("silent on")
+    driver.shows("robot", "lost")
+    assert "switched on" in driver.logged(code="robot_lost")["text"]
     alarmed(driver, "robot_lost", "press Start")
     driver.driver.refresh()
     alarmed(driver, "robot_lost", "press Start")

@@ -111,8 +111,9 @@ def test_square(stand: Stand, driver: Page, pictures: Pictures) -> None:
     assert len(moves) == 16, moves
 
 
-def test_position_in_the_page(stand: Stand, driver: Page) -> None:
-    """What the page draws over the picture is where the robot is."""
+def test_position(stand: Stand, driver: Page) -> None:
+    """What the page draws over the picture is where the robot is; in centimetres, with
+    its heading, where an arena is confirmed."""
     for x, y, heading in ((25, 20, 0), (55, 40, 90)):
         stand.emulator.ask(f"pose {x} {y} {heading}")
         driver.await_images(3)
@@ -121,17 +122,13 @@ def test_position_in_the_page(stand: Stand, driver: Page) -> None:
         shown[2] %= 360
         there = [*pixel((x, y)), 180 - heading]
         assert shown == pytest.approx(there, abs=2)
-
-
-def test_position_in_centimetres(stand: Stand, driver: Page) -> None:
-    """Where an arena is confirmed, with the robot's heading."""
     stand.emulator.ask("pose 25 20 30")
     assert "px" in driver.text("tile-position-text")
     driver.confirm_arena()
     words = f"{driver.text('tile-position-text')} {driver.text('tile-position-more')}"
-    x, y, heading = (float(one) for one in re.findall(r"-?\d+(?:\.\d+)?", words)[:3])
-    assert (x, y) == pytest.approx((25, 20), abs=0.5)
-    assert heading == pytest.approx(30, abs=2)
+    shown = [float(one) for one in re.findall(r"-?\d+(?:\.\d+)?", words)]
+    assert shown[:2] == pytest.approx([25, 20], abs=0.5)
+    assert shown[2] == pytest.approx(30, abs=2)
 
 
 def test_amounts(stand: Stand, driver: Page) -> None:
@@ -195,12 +192,18 @@ def test_arrows_after_an_amount(stand: Stand, driver: Page, how: str) -> None:
         assert field.get_attribute("value") == "10"
 
 
-def test_stop_by_button(stand: Stand, driver: Page) -> None:
+def test_buttons(stand: Stand, driver: Page) -> None:
+    """They stop, and drive while the mouse holds them."""
     for button in ("stop", "pad-stop"):
         with held(driver, "d"):
             stand.moves()
             driver.click(button)
             stand.stands(within=NOTICED)
+    turn = driver.element("pad-RGLF")
+    ActionChains(driver.driver).click_and_hold(turn).perform()
+    stand.moves()
+    ActionChains(driver.driver).release().perform()
+    stand.stands()
 
 
 @pytest.mark.parametrize("how", ["minimised", "another tab"])
@@ -314,15 +317,6 @@ def test_supervisor_gone(stand: Stand, driver: Page) -> None:
     stand.drives(driver)
 
 
-def test_robot_lost(stand: Stand, driver: Page) -> None:
-    """A robot that answers no more is said to be lost, with what to do."""
-    stand.emulator.ask("silent on")
-    driver.shows("robot", "lost")
-    assert "switched on" in driver.logged(code="robot_lost")["text"]
-    stand.emulator.ask("silent off")
-    driver.start()
-
-
 def test_refusal_in_words(stands: Callable[..., Stand], visitors: Visitors) -> None:
     """The serial line is gone: the page says why and what to do."""
     stand = stands(line="link")
@@ -348,8 +342,9 @@ def test_without_watchdog_asks(stand: Stand, page: Page) -> None:
     stand.drives(page)
 
 
-def test_reload_in_the_middle(stand: Stand, driver: Page) -> None:
-    """The robot stands; the page comes back to all that was."""
+def test_reload(stand: Stand, driver: Page) -> None:
+    """The robot stands; the page comes back to all that was, also while the arena is
+    searched, and while it is to be confirmed."""
     driver.hold("w")
     stand.moves()
     begin = time.monotonic()
@@ -364,10 +359,6 @@ def test_reload_in_the_middle(stand: Stand, driver: Page) -> None:
     assert not stand.emulator.moving
     stand.drives(driver, "s")
     assert driver.logged(label="RGFW", answer="AACK")
-
-
-def test_reload_amid_everything(stand: Stand, driver: Page) -> None:
-    """While the arena is searched, and while it is to be confirmed."""
     driver.click("arena-search")
     driver.driver.refresh()
     driver.shows("link", "open")
@@ -395,10 +386,8 @@ def test_a_hundred_reconnects(stand: Stand, driver: Page, visitors: Visitors) ->
     for _ in range(100):
         driver.run("window.lost = false")
         stand.cable.tear()
-        driver.until(
-            "return window.lost && document.documentElement.dataset.link === 'open'",
-            what="it was lost, and is connected again",
-        )
+        await_(lambda: driver.run("return window.lost"), "it was lost")
+        driver.shows("link", "open")
     driver.shows("wheel", "me")
     await_(lambda: len(os.listdir(files)) <= first, "its files are closed")
     assert len(driver.all("#viewers > li")) == 1
@@ -530,14 +519,6 @@ def test_gamepad(stand: Stand, driver: Page) -> None:
     stand.moves()
     #  one that is pulled out holds nothing
     driver.run("window.pads = [null]")
-    stand.stands()
-
-
-def test_pad_by_mouse(stand: Stand, driver: Page) -> None:
-    button = driver.element("pad-RGLF")
-    ActionChains(driver.driver).click_and_hold(button).perform()
-    stand.moves()
-    ActionChains(driver.driver).release().perform()
     stand.stands()
 
 

@@ -17,7 +17,7 @@ from conftest import Pictures, Visitors
 from parties import await_
 from selenium.webdriver.common.keys import Keys
 from selenium.webdriver.remote.webelement import WebElement
-from stand import Page, Point, Stand, pixel
+from stand import Page, Point, Stand, held, pixel
 from test_page import judge
 
 NOTICED = 0.5
@@ -291,18 +291,26 @@ def under_way(stand: Stand, page: Page) -> None:
     stand.moves()
 
 
-@pytest.mark.parametrize("how", ["space", "stop", "end", "other", "wheel"])
+@pytest.mark.parametrize(
+    "how", ["space", "stop", "end", "other", "wheel", "reload", "close"]
+)
 def test_stopped(stand: Stand, pilot: Page, watcher: Page, how: str) -> None:
-    """By key, by buttons, by who only watches, with the wheel that is given back."""
+    """By key, by buttons, by who only watches, with the wheel that is given back, with
+    the page, also one that comes anew."""
     under_way(stand, pilot)
     button = {"stop": "stop", "wheel": "wheel-release"}.get(how, "mission-end")
     page = watcher if how == "other" else pilot
-    if how == "space":
-        page.press(" ")
-    else:
-        page.click(button)
-    stand.stands(within=NOTICED)
-    for page in (pilot, watcher):
+    match how:
+        case "space":
+            page.press(" ")
+        case "reload":
+            page.driver.refresh()
+        case "close":
+            page.close()
+        case _:
+            page.click(button)
+    stand.stands(within=1.0 if how == "reload" else NOTICED)
+    for page in (watcher,) if how == "close" else (pilot, watcher):
         assert "by hand" in page.logged(code="mission_aborted")["text"]
         is_over(page)
     stand.stays(1)
@@ -322,13 +330,6 @@ def test_driven_by_hand(stand: Stand, pilot: Page) -> None:
     stand.stands(within=NOTICED)
 
 
-def test_stopped_with_the_page(stand: Stand, pilot: Page) -> None:
-    under_way(stand, pilot)
-    pilot.close()
-    stand.stands(within=NOTICED)
-    stand.stays(1)
-
-
 def test_refused(stand: Stand, driver: Page) -> None:
     """What is missing is said in words, with what to do."""
     driver.close_start()
@@ -339,6 +340,15 @@ def test_refused(stand: Stand, driver: Page) -> None:
     driver.confirm_arena()
     driver.click_at((3, 3))
     await_(lambda: "too near" in driver.text("alert"), "it is said")
+    (bad,) = await_(lambda: driver.points("bad"), "a mark where it was")
+    assert math.dist(bad, (3, 3)) < 3
+    assert driver.data("plan", "overlay") == ""
+    #  until the next one
+    driver.click_at((400, 240))
+    assert len(driver.plan()) == 1
+    assert driver.data("bad", "overlay") == ""
+    driver.press(Keys.ESCAPE)
+    stand.stands(within=NOTICED)
     driver.order("CPST")
     driver.shows("positions", "false")
     driver.click_at((320, 240))
@@ -403,18 +413,6 @@ def test_stop_by_another_withdraws_a_target(
     assert not any(line.get("label") == "MGTO" for line in pilot.log())
 
 
-def test_bad_point(stand: Stand, pilot: Page) -> None:
-    """A click that is refused is marked where it was, until the next one."""
-    pilot.click_at((3, 3))
-    await_(lambda: "too near" in pilot.text("alert"), "it is said")
-    (bad,) = await_(lambda: pilot.points("bad"), "the mark")
-    assert math.dist(bad, (3, 3)) < 3
-    assert pilot.data("plan", "overlay") == ""
-    pilot.click_at((400, 240))
-    assert len(pilot.plan()) == 1
-    assert pilot.data("bad", "overlay") == ""
-
-
 @pytest.mark.parametrize("name", ["turn-value", "name"])
 def test_click_that_leaves_a_field(stand: Stand, pilot: Page, name: str) -> None:
     """It does not drive; the next one does. In path mode it adds no point."""
@@ -443,16 +441,6 @@ def test_who_watches_sends_nothing(pilot: Page, watcher: Page) -> None:
     assert not watcher.visible("path-tools")
     time.sleep(0.3)
     assert not pilot.visible("mission")
-
-
-def test_reload(stand: Stand, pilot: Page) -> None:
-    """A page that comes anew shows no mission that its going has ended."""
-    under_way(stand, pilot)
-    pilot.driver.refresh()
-    stand.stands(within=1.0)
-    pilot.shows("wheel", "me")
-    assert not pilot.visible("mission")
-    assert pilot.logged(code="mission_aborted")
 
 
 def test_phone(stand: Stand, visitors: Visitors) -> None:
@@ -484,36 +472,39 @@ def test_phone(stand: Stand, visitors: Visitors) -> None:
 
 @pytest.mark.parametrize("dark", [False, True])
 def test_axe(stand: Stand, visitors: Visitors, axe: str, dark: bool) -> None:
+    """Each state of the page, up to a mission."""
     page = visitors.open(stand.address, dark=dark)
+
+    def judged(state: str) -> None:
+        """The driver may have been taken for gone: axe keeps the page busy."""
+        judge(page, axe, state)
+        page.take_wheel()
+
+    page.shows("link", "open")
+    judged("at first")
     page.start()
+    with held(page, "w"):
+        stand.moves()
+        judged("driving")
+    stand.stands()
+    page.click("arena-search")
+    page.shows("arena", "found")
+    judged("arena to be confirmed")
     page.confirm_arena()
+    page.order("RSOW")
+    judge(page, axe, "the question")
+    page.click("unguarded-cancel")
+    judged("all orders")
     other = visitors.open(stand.address, 1, languages="fr", size=(360, 740), dark=dark)
     other.shows("wheel", "other")
+    other.click("wheel-ask")
+    await_(lambda: page.visible("asking"), "the question")
+    judge(page, axe, "asked for the wheel")
+    judge(other, axe, "watching, in French, on a phone")
+    page.take_wheel()
     page.click("path")
     page.click_at((320, 240))
-    judge(page, axe, "a path")
-    page.take_wheel()
+    judged("a path")
     under_way(stand, page)
     await_(lambda: other.visible("mission"), "a mission")
     judge(other, axe, "a mission, in French, on a phone")
-
-
-def test_replay(recorder: Stand, visitors: Visitors) -> None:
-    """The plan is in the recording, and drawn over its pictures."""
-    page = visitors.open(recorder.address)
-    page.start()
-    page.confirm_arena()
-    page.click_at((400, 240))
-    sent = page.plan()
-    page.logged(code="mission_done")
-    time.sleep(1.5)
-    page.replay()
-    page.click("replay-play")
-    length = float(page.element("replay-slider").get_attribute("max"))
-
-    def planned(part: float) -> list[Point]:
-        page.replay_at(part * length)
-        return page.points("plan", "replay-overlay")
-
-    assert planned(0.0) == planned(1.0) == []
-    assert sent in [planned(part / 20) for part in range(21)]

@@ -342,38 +342,6 @@ def judge(page: Page, axe: str, state: str) -> None:
     assert not serious, "\n".join(serious)
 
 
-@pytest.mark.parametrize("dark", [False, True])
-def test_axe(stand: Stand, visitors: Visitors, axe: str, dark: bool) -> None:
-    page = visitors.open(stand.address, dark=dark)
-
-    def judged(state: str) -> None:
-        """The driver may have been taken for gone: axe keeps the page busy."""
-        judge(page, axe, state)
-        page.take_wheel()
-
-    page.shows("link", "open")
-    judged("at first")
-    page.start()
-    with held(page, "w"):
-        stand.moves()
-        judged("driving")
-    stand.stands()
-    page.click("arena-search")
-    page.shows("arena", "found")
-    judged("arena to be confirmed")
-    page.click("arena-reject")
-    page.order("RSOW")
-    judge(page, axe, "the question")
-    page.click("unguarded-cancel")
-    judged("all orders")
-    other = visitors.open(stand.address, 1, languages="fr", size=(360, 740), dark=dark)
-    other.shows("wheel", "other")
-    other.click("wheel-ask")
-    await_(lambda: page.visible("asking"), "the question")
-    judge(page, axe, "asked for the wheel")
-    judge(other, axe, "watching, in French, on a phone")
-
-
 def test_axe_login(guarded: Stand, visitors: Visitors, axe: str) -> None:
     judge(visitors.open(guarded.address), axe, "the form")
 
@@ -398,17 +366,20 @@ def test_recording(
     page.click("replay-play")
     length = float(page.element("replay-slider").get_attribute("max"))
     assert length > 1000
-    before = -1
-    #  the very beginning; the last second has images in any case
-    for moment in (0.0, length - 500, length):
+
+    def picture() -> int:
+        return int(page.data("index", "replay-picture"))
+
+    def goes_on_at(moment: float) -> None:
+        before = picture()
         page.replay_at(moment)
-        page.until(
-            "const n = Number(document.getElementById('replay-picture').dataset.index);"
-            "return arguments[0] < 0 ? n === 0 : n > arguments[0]",
-            before,
-            what=f"{moment} of {length} ms, but {page.text('replay-note')}",
-        )
-        before = int(page.data("index", "replay-picture"))
+        await_(lambda: picture() > before, f"{moment} of {length} ms")
+
+    #  the very beginning; the last second has images in any case
+    page.replay_at(0.0)
+    page.shows("index", "0", element="replay-picture")
+    goes_on_at(length - 500)
+    goes_on_at(length)
     pictures.take(page, "web-replay", at="replay")
 
     text = page.run(
@@ -427,15 +398,25 @@ def test_recording(
 
 
 def test_recordings_are_named_and_deleted(
-    stands: Callable[..., Stand], visitors: Visitors, recordings: Path, axe: str
+    stands: Callable[..., Stand],
+    tokens: tuple[str, ...],
+    visitors: Visitors,
+    recordings: Path,
+    axe: str,
 ) -> None:
-    """A name is kept; a deletion is asked for; that being written stays."""
+    """A name is kept; a deletion is asked for; that being written stays. Viewers
+    replay."""
     old = recordings / "20261123T120000.123Z"
     old.mkdir()
     (old / "events.jsonl").write_text('{"t":1,"type":"state"}\n', encoding="ascii")
     (old / "images.mjpeg").touch()
-    page = visitors.open(stands("--record", recordings).address)
-    page.shows("link", "open")
+    stand = stands("--record", recordings, *tokens)
+    viewer, page = (visitors.open(stand.address, number) for number in range(2))
+    for one, word in ((viewer, VIEWERS), (page, TEACHERS)):
+        log_in(one, word)
+        one.shows("link", "open")
+    viewer.one("#recordings-list [data-do=replay]")
+    assert not viewer.all("[data-do=name], [data-do=delete]")
     row = f"[data-recording='{old.name}']"
     page.click_one(f"{row} [data-do=name]")
     page.one(f"{row} input").send_keys("Première fois", Keys.ENTER)
@@ -455,19 +436,3 @@ def test_recordings_are_named_and_deleted(
         page.click(button)
     await_(lambda: not page.all(f"{row} td"), "it is gone")
     assert not old.exists()
-
-
-def test_viewers_do_not_delete(
-    stands: Callable[..., Stand],
-    tokens: tuple[str | Path, ...],
-    visitors: Visitors,
-    recordings: Path,
-) -> None:
-    """They replay."""
-    stand = stands("--record", recordings, *tokens)
-    for number, word in enumerate((VIEWERS, TEACHERS)):
-        page = visitors.open(stand.address, number)
-        log_in(page, word)
-        page.shows("link", "open")
-        page.one("#recordings-list button")
-        assert len(page.all("[data-do=name]")) == number

@@ -42,13 +42,11 @@ def test_path(
     events = recording / "events.jsonl"
     await_(lambda: "mission_done" in events.read_text("utf-8"), "it is recorded")
     page.replay(f"[data-recording='{recording.name}']")
-    page.until(
-        "return document.getElementById('replay-picture').dataset.index > 0",
-        what="it is played",
-    )
+    await_(lambda: int(page.data("index", "replay-picture")) > 0, "it is played")
     lines = events.read_text("utf-8").splitlines()
     begun = json.loads(next(line for line in lines if '"mission":{' in line))
     (point,) = begun["mission"]["points"]
-    for moment, drawn in ((0, []), (begun["t"], [tuple(point)])):
+    end = float(page.element("replay-slider").get_attribute("max"))
+    for moment, drawn in ((0, []), (begun["t"], [tuple(point)]), (end, [])):
         page.replay_at(moment)
         assert page.points("plan", "replay-overlay") == drawn

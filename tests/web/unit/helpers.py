@@ -19,15 +19,22 @@ import aiohttp
 import pytest
 from destijl_web.options import Options
 from destijl_web.server import Service
+from parties import ROOT
 
 LIMIT = 30.0
 #  Seconds for what is to happen at once: reached by a test that fails
 
 TEST_LIMIT = 120.0
 
-WEB = Path(__file__).resolve().parents[3] / "monitor" / "web"
+WEB = ROOT / "monitor" / "web"
 
 Json = dict[str, Any]
+
+UPGRADE = (
+    *("Upgrade: websocket", "Connection: Upgrade", "Sec-WebSocket-Version: 13"),
+    "Sec-WebSocket-Key: dGhlIHNhbXBsZSBub25jZQ==",
+)
+#  Of a request, to a WebSocket
 
 TOKENS: Json = {"token": "secret-of-teacher", "viewers_token": "secret-of-viewers"}
 
@@ -82,7 +89,6 @@ class Supervisor:
         self._token = token
         self._server: asyncio.Server | None = None
         self._writer: asyncio.StreamWriter | None = None
-        self._heard = asyncio.Event()
 
     async def start(self) -> None:
         self._server = await asyncio.start_server(self._serve, "127.0.0.1", self.port)
@@ -113,15 +119,8 @@ class Supervisor:
     def count(self, line: str) -> int:
         return self.lines.count(line)
 
-    async def until(self, condition: Callable[[], bool]) -> None:
-        """Looked at again whenever a line has come."""
-        async with asyncio.timeout(LIMIT):
-            while not condition():
-                self._heard.clear()
-                await self._heard.wait()
-
     async def heard(self, line: str, times: int = 1) -> None:
-        await self.until(lambda: self.count(line) >= times)
+        await until(lambda: self.count(line) >= times)
 
     async def _serve(
         self, reader: asyncio.StreamReader, writer: asyncio.StreamWriter
@@ -135,21 +134,17 @@ class Supervisor:
             if self.refusal is not None:
                 writer.write(b"MSSG:refused: " + self.refusal + b"\n")
                 writer.close()
-                self._heard.set()
                 return
             self._writer = writer
             while line := (await reader.readline()).decode().rstrip("\n"):
                 if line == "LIVE":
                     self.signs += 1
-                    self._heard.set()
                     continue
                 answer = self.answers.get(line[:4], b"AACK")
                 self.lines.append(line)
-                self._heard.set()
                 if answer is not None:
                     writer.write(answer + b"\n")
             self.lines.append("end")
-            self._heard.set()
             writer.close()
 
 

@@ -7,9 +7,9 @@ import socket
 from typing import Any
 
 import pytest
-from aiohttp import ClientSession, TCPConnector, web
+from aiohttp import web
 from destijl_web import fan_out, viewer
-from helpers import LIMIT, Page, World, jpeg, number_of, until
+from helpers import LIMIT, UPGRADE, World, jpeg, number_of, until
 
 LARGE = 100_000
 
@@ -84,43 +84,30 @@ async def test_no_more_than_two_under_way(w: World) -> None:
     assert [number_of(i) for i in page.images] == [1, 2, 6, 7, 8, 9, 10]
 
 
-async def stalled_page(w: World) -> Page:
+async def stalled_page(w: World) -> socket.socket:
     """A page whose machine takes little, and whose program reads nothing."""
-
-    def small(*_: Any) -> socket.socket:
-        made = socket.socket()
-        made.setsockopt(socket.SOL_SOCKET, socket.SO_RCVBUF, 4096)
-        made.connect(("127.0.0.1", w.service.port))
-        made.setblocking(False)
-        return made
-
-    class Small(TCPConnector):
-        async def _wrap_create_connection(self, *a: Any, **k: Any) -> Any:
-            for name in ("host", "port", "addr_infos", "addr_info"):
-                k.pop(name, None)
-            return await self._loop.create_connection(a[0], sock=small())
-
-    client = ClientSession(connector=Small())
-    w._clients.append(client)
-    page = Page(await client.ws_connect(f"{w.url}/ws", origin=w.url))
-    connection = page.ws._response.connection
-    assert connection is not None and connection.transport is not None
-    connection.transport.pause_reading()
-    w._pages.append(page)
+    page = socket.socket()
+    page.setsockopt(socket.SOL_SOCKET, socket.SO_RCVBUF, 4096)
+    page.connect(("127.0.0.1", w.service.port))
+    page.setblocking(False)
+    loop = asyncio.get_running_loop()
+    asked = w.request("GET /ws", f"Origin: {w.url}", *UPGRADE) + b"\r\n"
+    await loop.sock_sendall(page, asked)
+    assert (await loop.sock_recv(page, 12)).endswith(b"101")
     return page
 
 
 async def test_a_stalled_viewer_delays_nobody(w: World) -> None:
     driver = await w.driver()
-    await stalled_page(w)
-    for number in range(20):
-        w.supervisor.send_image(number, 400_000)
-        assert number_of(await driver.image()) == number
-        assert (await driver.order("RGFW"))["answer"] == "AACK"
-    await driver.settle()
-    #  and is closed after a while, however long the test took
-    w.pass_time(1000.0)
-    await driver.state(viewers=[{"id": 1, "name": "#1", "role": "open"}])
+    with await stalled_page(w):
+        for number in range(20):
+            w.supervisor.send_image(number, 400_000)
+            assert number_of(await driver.image()) == number
+            assert (await driver.order("RGFW"))["answer"] == "AACK"
+        await driver.settle()
+        #  and is closed after a while, however long the test took
+        w.pass_time(1000.0)
+        await driver.state(viewers=[{"id": 1, "name": "#1", "role": "open"}])
 
 
 async def test_a_viewer_that_takes_no_texts_is_closed(w: World) -> None:

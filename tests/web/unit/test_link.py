@@ -32,7 +32,7 @@ async def test_shows_that_it_lives(w: World) -> None:
     for _ in range(2):
         await w.connected()
         w.supervisor.signs = 0
-        await w.supervisor.until(lambda: w.supervisor.signs > 3)
+        await until(lambda: w.supervisor.signs > 3)
         w.supervisor.hang_up()
         await until(lambda: w.service.hub.state["supervisor"] != "connected")
 

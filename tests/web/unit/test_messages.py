@@ -35,61 +35,34 @@ def test_read(text: str, message: messages.Message) -> None:
     assert messages.read(text) == message
 
 
+ORDER = '{"type":"order","id":1,"label":'
+REFUSED = [
+    #  each with one of these in the place of the _
+    ("_", 'x [] {} {"type":"pong","n":1} {"type":["ping"],"n":1} {"type":"ping"}'),
+    ('{"type":"ping","n":_}', '1.5 true NaN 1,"hidden":"no" ' + "9" * 400),
+    (ORDER + "_}", r'"XXXX" "RLDW" ["RGFW"] "RGFW\nRSWW" "RMOV" "MGTO"'),
+    (ORDER + '"RMOV","value":_}', '"5" 1e9 1000001'),
+    (ORDER + '"RGFW","value":_}', "5"),
+    (ORDER + '"MGTO","points":_}', "[] [[1,2],[3,4]]"),
+    (ORDER + '"MGCM","points":_}', "[[1,2],[3,4]]"),
+    (ORDER + '"MABT","points":_}', "[[1,2]]"),
+    (
+        ORDER + '"MPTH","points":_}',
+        '{"1":2} [1,2] [[1]] [[1,2,3]] [[1,"2"]] [[1,true]] [[1,null]] [[1,1e999]]'
+        ' [[1,-9999.1]] [[1,2]],"value":3 [' + ",".join(["[1,2]"] * 65) + "]",
+    ),
+    ('{"type":"wheel","do":_}', '"steal" ["take"] "give" "offer"'),
+    ('{"type":"pupil","do":_}', '"expel" ["mute"],"to":3'),
+    ('{"type":"name","name":_}', r'"" "a\u202eb" "' + "a" * 31 + '"'),
+]
+
+
 @pytest.mark.parametrize(
     "text",
     [
-        "",
-        "x",
-        "[]",
-        "[" * 4000,
-        "{}",
-        '{"type":"pong","n":1}',
-        '{"type":["ping"],"n":1}',
-        '{"type":"ping"}',
-        '{"type":"ping","n":1.5}',
-        '{"type":"ping","n":true}',
-        '{"type":"ping","n":NaN}',
-        '{"type":"ping","n":' + "9" * 400 + "}",
-        '{"type":"ping","n":1,"hidden":"no"}',
-        '{"type":"order","id":1,"label":"XXXX"}',
-        '{"type":"order","id":1,"label":"RLDW"}',
-        '{"type":"order","id":1,"label":["RGFW"]}',
-        '{"type":"order","id":1,"label":"RGFW\\nRSWW"}',
-        '{"type":"order","label":"RGFW"}',
-        '{"type":"order","id":1,"label":"RMOV"}',
-        '{"type":"order","id":1,"label":"RMOV","value":"5"}',
-        '{"type":"order","id":1,"label":"RMOV","value":1e9}',
-        '{"type":"order","id":1,"label":"RMOV","value":1000001}',
-        '{"type":"order","id":1,"label":"RGFW","value":5}',
-        '{"type":"order","id":1,"label":"MGTO"}',
-        '{"type":"order","id":1,"label":"MGTO","points":[]}',
-        '{"type":"order","id":1,"label":"MGTO","points":[[1,2],[3,4]]}',
-        '{"type":"order","id":1,"label":"MGCM","points":[[1,2],[3,4]]}',
-        '{"type":"order","id":1,"label":"MPTH","points":{"1":2}}',
-        '{"type":"order","id":1,"label":"MPTH","points":[1,2]}',
-        '{"type":"order","id":1,"label":"MPTH","points":[[1]]}',
-        '{"type":"order","id":1,"label":"MPTH","points":[[1,2,3]]}',
-        '{"type":"order","id":1,"label":"MPTH","points":[[1,"2"]]}',
-        '{"type":"order","id":1,"label":"MPTH","points":[[1,true]]}',
-        '{"type":"order","id":1,"label":"MPTH","points":[[1,null]]}',
-        '{"type":"order","id":1,"label":"MPTH","points":[[1,1e999]]}',
-        '{"type":"order","id":1,"label":"MPTH","points":[[1,-9999.1]]}',
-        '{"type":"order","id":1,"label":"MPTH","points":['
-        + ",".join(["[1,2]"] * 65)
-        + "]}",
-        '{"type":"order","id":1,"label":"MPTH","points":[[1,2]],"value":3}',
-        '{"type":"order","id":1,"label":"MABT","points":[[1,2]]}',
-        '{"type":"wheel","do":"steal"}',
-        '{"type":"wheel","do":["take"]}',
-        '{"type":"wheel","do":"give"}',
-        '{"type":"wheel","do":"offer"}',
-        '{"type":"pupil","do":"expel"}',
-        '{"type":"pupil","do":["mute"],"to":3}',
-        '{"type":"name"}',
-        '{"type":"name","name":""}',
-        '{"type":"name","name":"   "}',
-        '{"type":"name","name":"a\\u202eb"}',
-        '{"type":"name","name":"' + "a" * 31 + '"}',
+        *("", "[" * 4000, '{"type":"order","label":"RGFW"}'),
+        *('{"type":"name"}', '{"type":"name","name":"   "}'),
+        *(form.replace("_", one) for form, many in REFUSED for one in many.split()),
     ],
 )
 def test_refused(text: str) -> None:

@@ -16,6 +16,7 @@ from typing import Any, NamedTuple
 
 import pytest
 from helpers import LIMIT, WEB, Program, token_file
+from parties import await_
 
 
 class Served(NamedTuple):
@@ -92,17 +93,16 @@ def test_a_port_that_is_taken() -> None:
 
 
 @pytest.fixture
-def terminal() -> Iterator[None]:
-    """As started there, also where these tests run by nohup."""
-    before = signal.signal(signal.SIGHUP, signal.SIG_DFL)
+def hang_up(request: pytest.FixtureRequest) -> Iterator[None]:
+    """Ignored, as by nohup, or not, also where these tests are run by it."""
+    before = signal.signal(signal.SIGHUP, request.param)
     yield
     signal.signal(signal.SIGHUP, before)
 
 
+@pytest.mark.parametrize("hang_up", [signal.SIG_DFL], indirect=True)
 @pytest.mark.parametrize("number", [signal.SIGTERM, signal.SIGINT, signal.SIGHUP])
-def test_an_orderly_stop(
-    terminal: None, served: Served, number: signal.Signals
-) -> None:
+def test_an_orderly_stop(hang_up: None, served: Served, number: signal.Signals) -> None:
     served.program.process.send_signal(number)
     assert rest(served.connection) == b""
     served.connection.close()
@@ -111,14 +111,8 @@ def test_an_orderly_stop(
     assert "Traceback" not in error
 
 
-@pytest.fixture
-def nohup() -> Iterator[None]:
-    before = signal.signal(signal.SIGHUP, signal.SIG_IGN)
-    yield
-    signal.signal(signal.SIGHUP, before)
-
-
-def test_not_stopped_by_an_ignored_hang_up(nohup: None, served: Served) -> None:
+@pytest.mark.parametrize("hang_up", [signal.SIG_IGN], indirect=True)
+def test_not_stopped_by_an_ignored_hang_up(hang_up: None, served: Served) -> None:
     for process in (served.program.gateway(), served.program.process.pid):
         os.kill(process, signal.SIGHUP)
     signs = b""
@@ -206,10 +200,7 @@ def test_a_hang_is_not_seen_too_early(served: Served) -> None:
 def test_no_gateway_without_its_guard(served: Served) -> None:
     gateway = served.program.gateway()
     served.program.process.kill()
-    end = time.monotonic() + LIMIT
-    while state(gateway) not in ("gone", "Z"):
-        assert time.monotonic() < end
-        time.sleep(0.01)
+    await_(lambda: state(gateway) in ("gone", "Z"), "it has ended")
     assert rest(served.connection) == b""
 
 
@@ -250,20 +241,18 @@ def test_a_flood_of_connections(served: Served) -> None:
     """Connections that say nothing keep nobody out."""
     there = ("127.0.0.1", served.port)
     idle = [socket.create_connection(there) for _ in range(600)]
-    end = time.monotonic() + LIMIT
-    open_ends = len(idle)
-    while open_ends > 450:
-        assert time.monotonic() < end
-        time.sleep(0.1)
-        open_ends = 0
-        for one in idle:
-            one.setblocking(False)
-            try:
-                open_ends += one.recv(1) != b""
-            except BlockingIOError:
-                open_ends += 1
-            except ConnectionResetError:
-                pass
+    for one in idle:
+        one.setblocking(False)
+
+    def is_open(one: socket.socket) -> bool:
+        try:
+            return one.recv(1) != b""
+        except BlockingIOError:
+            return True
+        except ConnectionResetError:
+            return False
+
+    await_(lambda: sum(map(is_open, idle)) <= 450, "the oldest are closed")
     host = f"localhost:{served.port}".encode()
     with socket.create_connection(there, LIMIT) as client:
         client.sendall(b"GET /recordings HTTP/1.1\r\nHost: %s\r\n\r\n" % host)

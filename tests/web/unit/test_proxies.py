@@ -13,7 +13,7 @@ from pathlib import Path
 
 import pytest
 from destijl_web import logins
-from helpers import LIMIT, TOKENS, WEB, World, world
+from helpers import LIMIT, TOKENS, UPGRADE, WEB, World, world
 
 NAME = "robot.example"
 
@@ -158,11 +158,7 @@ async def test_recipes(
         answer = await p.log_in(TOKENS["token"])
         found = re.search(r"^Set-Cookie: ([^;]+);(.*)", answer, re.MULTILINE)
         assert found is not None and "Secure" in found[2]
-        upgrade = (
-            f"Cookie: {found[1]}",
-            *("Upgrade: websocket", "Connection: Upgrade", "Sec-WebSocket-Version: 13"),
-            "Sec-WebSocket-Key: dGhlIHNhbXBsZSBub25jZQ==",
-        )
+        upgrade = (f"Cookie: {found[1]}", *UPGRADE)
         origin = f"Origin: https://{NAME}"
         answer = await p.ask("GET /ws", origin, *upgrade, until='"welcome"')
         assert " 101 " in answer and '"role":"teacher"' in answer

@@ -56,8 +56,7 @@ async def test_asked_and_given(w: World) -> None:
     await driver.settle()
     assert w.service.hub.state["driver"] == 1
     await driver.wheel("give", to=2)
-    event = await driver.event("wheel_given")
-    assert event["args"] == {"from": "#1", "name": "#2"}
+    await driver.event("wheel_given", **{"from": "#1", "name": "#2"})
     await driver.state(driver=2, asking=[])
     await stops(w, 1)
     assert (await driver.order("RGFW"))["answer"] == "NOWHEEL"
@@ -87,15 +86,13 @@ async def test_offered_to_anybody(w: World) -> None:
     await other.settle()
     assert w.service.hub.state["offered"] is None
     await driver.wheel("offer", to=3)
-    event = await other.event("wheel_offered")
-    assert event["args"] == {"from": "#1", "name": "#3"}
+    await other.event("wheel_offered", **{"from": "#1", "name": "#3"})
     await other.wheel("take")
     await other.settle()
     assert w.service.hub.state["driver"] == 1
     assert w.supervisor.count("RSTP") == 0
     await third.wheel("take")
-    event = await driver.event("wheel_given")
-    assert event["args"] == {"from": "#1", "name": "#3"}
+    await driver.event("wheel_given", **{"from": "#1", "name": "#3"})
     await driver.state(driver=3, offered=None)
     await stops(w, 1)
     assert (await driver.order("RGFW"))["answer"] == "NOWHEEL"
@@ -181,8 +178,7 @@ async def test_seized_by_a_teacher_only(w: World) -> None:
     await other.settle()
     assert w.service.hub.state["driver"] == pupil.number
     await teacher.wheel("seize")
-    event = await pupil.event("wheel_seized")
-    assert event["args"] == {"from": "#1", "name": "#3"}
+    await pupil.event("wheel_seized", **{"from": "#1", "name": "#3"})
     await pupil.state(driver=teacher.number)
     await stops(w, 1)
 
