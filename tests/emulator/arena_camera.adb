@@ -139,10 +139,8 @@ package body Arena_Camera is
          Height => int (C.Height),
          Arena  => 1,
          Fill   => 0.85,
-         Turn   => 0.0,
+         Turn | Blur | Uneven | Lean_X | Lean_Y => 0.0,
          Noise  => double (C.Value (Noise)),
-         Blur   => 0.0,
-         Uneven => 0.0,
          Seed   => unsigned (Seed),
          Robots => 1,
          Robot  =>

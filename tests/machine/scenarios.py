@@ -12,6 +12,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
+from typing import TypeVar
 
 from targets import ROOT, SLACK, Board, Machine, Wrong
 
@@ -24,40 +25,29 @@ SETTINGS = "/etc/default/destijl"
 WAITS = "--answer-timeout 300"
 #  Processors that are emulated answer late
 
-OnBoard = Callable[[Board], None]
-OnMachine = Callable[[Machine], None]
+Act = TypeVar("Act", bound=Callable[..., None])
 
 
 @dataclass
 class Scenario:
     name: str
     short: bool
-    on_board: OnBoard | None
-    on_machine: OnMachine | None
+    on_board: Callable[..., None] | None
+    on_machine: Callable[..., None] | None
 
 
 scenarios: list[Scenario] = []
 
 
-def anywhere(name: str, short: bool = False) -> Callable[[OnBoard], OnBoard]:
-    def add(act: OnBoard) -> OnBoard:
-        scenarios.append(Scenario(name, short, act, act))
-        return act
+def scenario(
+    name: str, short: bool = False, boards: bool = False, machines: bool = True
+) -> Callable[[Act], Act]:
+    """What is tried on emulated machines, on boards, or on both."""
 
-    return add
-
-
-def on_boards(name: str) -> Callable[[OnBoard], OnBoard]:
-    def add(act: OnBoard) -> OnBoard:
-        scenarios.append(Scenario(name, False, act, None))
-        return act
-
-    return add
-
-
-def emulated(name: str, short: bool = False) -> Callable[[OnMachine], OnMachine]:
-    def add(act: OnMachine) -> OnMachine:
-        scenarios.append(Scenario(name, short, None, act))
+    def add(act: Act) -> Act:
+        scenarios.append(
+            Scenario(name, short, act if boards else None, act if machines else None)
+        )
         return act
 
     return add
@@ -123,7 +113,7 @@ def whole_token(machine: Machine) -> None:
         raise Wrong(f"the token after it: {found}")
 
 
-@emulated("installed, and the power cut within a second", short=True)
+@scenario("installed, and the power cut within a second", short=True)
 def install(machine: Machine) -> None:
     put(machine, sorted(machine.packages.glob("destijl*.deb")), "/root/packages")
     install_packages(machine, "/root/packages/*.deb")
@@ -156,7 +146,7 @@ def install(machine: Machine) -> None:
     whole_token(machine)
 
 
-@anywhere("--check as the service, and its sandbox", short=True)
+@scenario("--check as the service, and its sandbox", short=True, boards=True)
 def check(board: Board) -> None:
     serve(board)
     board.run("systemctl stop destijl")
@@ -187,11 +177,7 @@ def check(board: Board) -> None:
     board.run("systemd-analyze --no-pager security --threshold=20 destijl")
 
 
-@anywhere("a whole session", short=True)
-def whole_session(board: Board) -> None:
-    session(board)
-
-
+@scenario("a whole session", short=True, boards=True)
 def session(board: Board, line: str = "", options: str = "") -> None:
     serve(board, line, options)
     use(board, line, options)
@@ -220,7 +206,7 @@ def use(board: Board, line: str = "", options: str = "") -> None:
         matches("^9600$", board.run(f"stty -F {board.line} speed"))
 
 
-@emulated("USB: late driver, unplugged while driving, another name", short=True)
+@scenario("USB: late driver, unplugged while driving, another name", short=True)
 def usb(machine: Machine) -> None:
     serve(machine, BY_ID)
     with machine.monitor() as monitor:
@@ -317,15 +303,12 @@ def cut(board: Board, name: str) -> None:
 
 
 for name in CUTS:
-    act = partial(cut, name=name)
-    scenarios.append(
-        Scenario(
-            f"network: {name}", True, act if name.startswith(ON_BOARDS) else None, act
-        )
+    scenario(f"network: {name}", True, boards=name.startswith(ON_BOARDS))(
+        partial(cut, name=name)
     )
 
 
-@emulated("power cut while driving", short=True)
+@scenario("power cut while driving", short=True)
 def power(machine: Machine) -> None:
     serve(machine)
     with machine.monitor() as monitor:
@@ -370,7 +353,7 @@ def serve_browsers(machine: Machine, supervisor: str = "127.0.0.1:5544") -> None
     )
 
 
-@emulated("reboot while a browser drives: trace and recording are there")
+@scenario("reboot while a browser drives: trace and recording are there")
 def reboot(machine: Machine) -> None:
     machine.run(
         "mkdir -p /etc/systemd/system/destijl.service.d\n"
@@ -409,7 +392,7 @@ def reboot(machine: Machine) -> None:
     )
 
 
-@emulated("root read-only, and the power cut, while a browser drives")
+@scenario("root read-only, and the power cut, while a browser drives")
 def read_only(machine: Machine) -> None:
     serve(machine)
     serve_browsers(machine)
@@ -444,7 +427,7 @@ def read_only(machine: Machine) -> None:
     serve_browsers(machine, "")
 
 
-@emulated("a getty on the line, a console")
+@scenario("a getty on the line, a console")
 def getty(machine: Machine) -> None:
     tty = machine.kind.line
     unit = f"serial-getty@{tty}"
@@ -465,7 +448,7 @@ def getty(machine: Machine) -> None:
         matches(f"^not ok  serial line {line}: .*{fact}", said)
 
 
-@emulated("a camera of the kernel, its driver late, unplugged, its metadata")
+@scenario("a camera of the kernel, its driver late, unplugged, its metadata")
 def vivid(machine: Machine) -> None:
     machine.run("! lsmod | grep -q ^vivid || modprobe -r vivid")
     serve(machine, options="--camera /dev/video0")
@@ -497,7 +480,7 @@ def vivid(machine: Machine) -> None:
     machine.run("systemctl stop destijl; modprobe -r vivid")
 
 
-@emulated("a full disk")
+@scenario("a full disk")
 def full(machine: Machine) -> None:
     serve(machine)
     try:
@@ -515,7 +498,7 @@ def full(machine: Machine) -> None:
         machine.run("rm -f /full /full2")
 
 
-@anywhere("clock set forward and back while driving")
+@scenario("clock set forward and back while driving", boards=True)
 def clock(board: Board) -> None:
     serve(board)
     with board.monitor() as monitor:
@@ -528,7 +511,7 @@ def clock(board: Board) -> None:
         monitor.demand("RSTP")
 
 
-@anywhere("the supervisor stopped by SIGSTOP while driving")
+@scenario("the supervisor stopped by SIGSTOP while driving", boards=True)
 def stop_signal(board: Board) -> None:
     serve(board)
     with board.monitor() as monitor:
@@ -545,7 +528,7 @@ def stop_signal(board: Board) -> None:
     stands(board, 1.0)
 
 
-@on_boards("rebooted while driving")
+@scenario("rebooted while driving", boards=True, machines=False)
 def reboot_driving(board: Board) -> None:
     serve(board)
     with board.monitor() as monitor:
@@ -559,7 +542,7 @@ def reboot_driving(board: Board) -> None:
         monitor.drive()
 
 
-@emulated("debian/tests: both services, and each of their ways to end")
+@scenario("debian/tests: both services, and each of their ways to end")
 def ended(machine: Machine) -> None:
     machine.run("systemctl stop destijl-web destijl")
     put(machine, [ROOT / "debian", ROOT / "script"], "/root/source")
@@ -571,7 +554,7 @@ def ended(machine: Machine) -> None:
     )
 
 
-@emulated("upgraded while driving")
+@scenario("upgraded while driving")
 def upgrade(machine: Machine) -> None:
     serve(machine)
     package = next(machine.packages.glob("destijl_*.deb"))
@@ -603,7 +586,7 @@ def upgrade(machine: Machine) -> None:
         moving(machine)
 
 
-@emulated("removed, installed again, purged")
+@scenario("removed, installed again, purged")
 def purge(machine: Machine) -> None:
     packages = "destijl destijl-web destijl-monitor destijl-emulator"
     known = (

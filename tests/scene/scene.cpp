@@ -97,7 +97,9 @@ bool valid(const scene_description *scene) {
       scene->height < 1 || scene->height > 8192 ||
       !within(scene->fill, 0.3, 0.95) || !within(scene->turn, -360.0, 360.0) ||
       !within(scene->noise, 0.0, 30.0) || !within(scene->blur, 0.0, 20.0) ||
-      !within(scene->uneven, 0.0, 0.7) || scene->robots < 0 ||
+      !within(scene->uneven, 0.0, 0.7) ||
+      !within(scene->lean_x, -1e-3, 1e-3) ||
+      !within(scene->lean_y, -1e-3, 1e-3) || scene->robots < 0 ||
       scene->robots > 4)
     return false;
   for (int n = 0; n < scene->robots; ++n) {
@@ -113,22 +115,21 @@ bool valid(const scene_description *scene) {
 
 // The part of a scene that does not change from image to image.
 struct Backdrop {
-  int width = 0, height = 0, arena = 0;
-  double fill = 0, turn = 0, uneven = 0;
+  scene_description of = {};  // that scene
   cv::Mat image;  // grey
   cv::Mat light;  // gain, 255 = 1, empty for an even light
 
   bool fits(const scene_description &scene) const {
-    return width == scene.width && height == scene.height &&
-           arena == scene.arena && fill == scene.fill && turn == scene.turn &&
-           uneven == scene.uneven;
+    return of.width == scene.width && of.height == scene.height &&
+           of.arena == scene.arena && of.fill == scene.fill &&
+           of.turn == scene.turn && of.uneven == scene.uneven;
   }
 
   void draw(const scene_description &scene);
 };
 
 void Backdrop::draw(const scene_description &scene) {
-  width = 0;  // fits nothing while it is being drawn
+  of.width = 0;  // fits nothing while it is being drawn
   const View view(scene);
   const cv::Size size(scene.width, scene.height);
 
@@ -184,42 +185,22 @@ void Backdrop::draw(const scene_description &scene) {
       }
   }
 
-  arena = scene.arena;
-  fill = scene.fill;
-  turn = scene.turn;
-  uneven = scene.uneven;
-  height = scene.height;
-  width = scene.width;
+  of = scene;
 }
 
 // Normal deviates drawn once; the noise of an image is made of pieces of
 // them, as random numbers for every pixel would be slow.
 struct Grain {
-  std::vector<float> deviates;
+  cv::Mat deviates = cv::Mat(1, noise_length, CV_32F);
   double sigma = -1.0;
-  cv::Mat up, down;  // one row: what is added, what is taken off
+  cv::Mat scaled;  // by SIGMA, 16-bit
 
-  Grain() : deviates(noise_length) {
-    cv::RNG random(77);
-    for (float &value : deviates)
-      value = float(random.gaussian(1.0));
-  }
-
-  void scale_to(double wanted) {
-    if (wanted == sigma)
-      return;
-    up.create(1, noise_length, CV_8UC1);
-    down.create(1, noise_length, CV_8UC1);
-    for (int k = 0; k < noise_length; ++k) {
-      const int value = cvRound(deviates[k] * wanted);
-      up.at<uchar>(0, k) = cv::saturate_cast<uchar>(value);
-      down.at<uchar>(0, k) = cv::saturate_cast<uchar>(-value);
-    }
-    sigma = wanted;
-  }
+  Grain() { cv::RNG(77).fill(deviates, cv::RNG::NORMAL, 0.0, 1.0); }
 
   void add(cv::Mat &grey, double wanted, unsigned seed) {
-    scale_to(wanted);
+    if (wanted != sigma)
+      deviates.convertTo(scaled, CV_16S, wanted);
+    sigma = wanted;
     std::uint64_t state = seed * 2654435761ULL + 88172645463325252ULL;
     for (int row = 0; row < grey.rows; ++row) {
       state ^= state << 13;
@@ -227,35 +208,24 @@ struct Grain {
       state ^= state << 17;
       const int start = int(state % (noise_length - grey.cols));
       cv::Mat line = grey.row(row);
-      cv::add(line, up.colRange(start, start + grey.cols), line);
-      cv::subtract(line, down.colRange(start, start + grey.cols), line);
+      cv::add(line, scaled.colRange(start, start + grey.cols), line,
+              cv::noArray(), CV_8U);
     }
   }
 };
 
 // The 6 x 6 modules of a marker, black border included.
-class Marker_Bits {
-public:
-  const cv::Mat &of(int wanted) {
-    if (wanted != id) {
-#if CV_VERSION_MAJOR > 4 || (CV_VERSION_MAJOR == 4 && CV_VERSION_MINOR >= 7)
-      const cv::aruco::Dictionary dictionary =
-          cv::aruco::getPredefinedDictionary(cv::aruco::DICT_4X4_1000);
-      cv::aruco::generateImageMarker(dictionary, wanted, 6, bits, 1);
-#else
-      const cv::Ptr<cv::aruco::Dictionary> dictionary =
-          cv::aruco::getPredefinedDictionary(cv::aruco::DICT_4X4_1000);
-      cv::aruco::drawMarker(dictionary, wanted, 6, bits, 1);
-#endif
-      id = wanted;
-    }
-    return bits;
-  }
-
-private:
-  int id = -1;
+cv::Mat marker_bits(int id) {
   cv::Mat bits;
-};
+  const auto dictionary =
+      cv::aruco::getPredefinedDictionary(cv::aruco::DICT_4X4_1000);
+#if CV_VERSION_MAJOR > 4 || (CV_VERSION_MAJOR == 4 && CV_VERSION_MINOR >= 7)
+  cv::aruco::generateImageMarker(dictionary, id, 6, bits, 1);
+#else
+  cv::aruco::drawMarker(dictionary, id, 6, bits, 1);
+#endif
+  return bits;
+}
 
 // Grey of the robot where it is AHEAD of its centre and LEFT of it (both in
 // centimetres, inside the body).
@@ -277,10 +247,8 @@ int robot_grey(const scene_robot &robot, const cv::Mat &bits, double ahead,
   return inside ? white_grey : body_grey;
 }
 
-void draw_robot(const scene_robot &robot, const View &view, Marker_Bits &cache,
-                cv::Mat &grey) {
-  static const cv::Mat none;
-  const cv::Mat &bits = robot.marker == 0 ? cache.of(robot.id) : none;
+void draw_robot(const scene_robot &robot, const View &view, cv::Mat &grey) {
+  const cv::Mat bits = robot.marker == 0 ? marker_bits(robot.id) : cv::Mat();
   const cv::Point2d centre = view.pixel(robot.x, robot.y);
   const double reach = body_radius * view.scale + 1.0;
   const int left_column = std::max(0, int(std::floor(centre.x - reach)));
@@ -313,7 +281,6 @@ void draw_robot(const scene_robot &robot, const View &view, Marker_Bits &cache,
 struct Studio {
   Backdrop backdrop;
   Grain grain;
-  Marker_Bits markers;
   cv::Mat grey, colour;
 };
 
@@ -331,11 +298,21 @@ void draw(const scene_description &scene, cv::Mat &bgr) {
 
   const View view(scene);
   for (int n = 0; n < scene.robots; ++n)
-    draw_robot(scene.robot[n], view, here.markers, here.grey);
+    draw_robot(scene.robot[n], view, here.grey);
   if (!here.backdrop.light.empty())
     cv::multiply(here.grey, here.backdrop.light, here.grey, 1.0 / 255.0);
   if (scene.blur > 0.0)
     cv::GaussianBlur(here.grey, here.grey, cv::Size(), scene.blur);
+  if (scene.lean_x != 0.0 || scene.lean_y != 0.0) {
+    const double x = view.middle_x, y = view.middle_y;
+    cv::warpPerspective(here.grey.clone(), here.grey,
+                        cv::Matx33d(1, 0, x, 0, 1, y, 0, 0, 1) *
+                            cv::Matx33d(1, 0, 0, 0, 1, 0, scene.lean_x,
+                                        scene.lean_y, 1) *
+                            cv::Matx33d(1, 0, -x, 0, 1, -y, 0, 0, 1),
+                        here.grey.size(), cv::INTER_LINEAR,
+                        cv::BORDER_REPLICATE);
+  }
   if (scene.noise > 0.0)
     here.grain.add(here.grey, scene.noise, scene.seed);
   cv::cvtColor(here.grey, bgr, cv::COLOR_GRAY2BGR);

@@ -31,6 +31,9 @@ typedef struct {
   double blur;          /* Gaussian sigma in pixels, 0 = none */
   double uneven;        /* light lost from the top left to the bottom right
                            corner, as a share, 0 .. 0.7 */
+  double lean_x, lean_y; /* what lies at (X, Y) from the image's middle shows
+                           at (X, Y) / (1 + lean_x X + lean_y Y), but for the
+                           truth below; -0.001 .. 0.001, 0 = from above */
   unsigned seed;        /* of the noise */
   int robots;           /* how many of ROBOT are drawn, 0 .. 4 */
   scene_robot robot[4];
@@ -59,6 +62,12 @@ int scene_jpeg(const scene_description *scene, int quality,
  * not of that size. */
 int scene_decode_grey(const unsigned char *jpeg, int length, int width,
                       int height, unsigned char *grey);
+
+/* Draws the rectangles of an SVG page in mm, SCALE pixels each, into BGR of
+ * ROOM bytes. They are subpaths "Mx yhWvHh-Wz", and an attribute fill is
+ * before them. 0 if done. */
+int scene_page(const char *path, int scale, unsigned char *bgr, int room,
+               int *width, int *height);
 
 /* Writes FRAMES images of the scene, their noise changing, as a Motion JPEG
  * video to PATH (.avi). 0 if done. */

@@ -3,7 +3,11 @@
 
 #include "scene.h"
 
+#include <cstdio>
 #include <cstring>
+#include <fstream>
+#include <iterator>
+#include <string>
 
 #include <opencv2/core.hpp>
 #include <opencv2/imgcodecs.hpp>
@@ -46,6 +50,44 @@ int scene_video(const scene_description *scene, int frames, int fps,
       ++moving.seed;
     }
     return 0;
+  } catch (...) {
+    return -1;
+  }
+}
+
+int scene_page(const char *path, int scale, unsigned char *bgr, int room,
+               int *width, int *height) {
+  try {
+    std::ifstream file(path);
+    const std::string text{std::istreambuf_iterator<char>(file), {}};
+    cv::Mat page;
+    double x, y, w, h, left = 0, top = 0, size = scale;
+    int level = 0;
+    for (const char *at = text.c_str(); *at != '\0'; ++at)
+      if (*at == 'v' &&
+          std::sscanf(at, "viewBox=\"%*f %*f %lf %lf", &w, &h) == 2) {
+        *width = cvRound(scale * w);
+        *height = cvRound(scale * h);
+        if (*width * *height * 3 > room)
+          return -1;
+        page = cv::Mat(*height, *width, CV_8UC3, bgr);
+      } else if (*at == 't' && std::sscanf(at, "translate(%lf %lf) scale(%lf",
+                                           &x, &y, &size) == 3) {
+        left = scale * x;
+        top = scale * y;
+        size *= scale;
+      } else if (std::strncmp(at, "fill=\"none", 10) == 0) {
+        at = std::strstr(at, "/>");
+      } else if (std::strncmp(at, "fill=\"", 6) == 0) {
+        level = std::strncmp(at, "fill=\"#fff", 10) == 0 ? 255 : 0;
+      } else if (*at == 'M' && std::sscanf(at, "M%lf %lfh%lfv%lf", &x, &y, &w,
+                                           &h) == 4) {
+        page(cv::Rect(cv::Point2d(left + x * size, top + y * size),
+                      cv::Point2d(left + (x + w) * size,
+                                  top + (y + h) * size))) =
+            cv::Scalar::all(level);
+      }
+    return page.empty() ? -1 : 0;
   } catch (...) {
     return -1;
   }

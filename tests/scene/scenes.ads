@@ -24,6 +24,8 @@ package Scenes is
       Noise         : double;
       Blur          : double;
       Uneven        : double;
+      Lean_X        : double;
+      Lean_Y        : double;
       Seed          : unsigned;
       Robots        : int;
       Robot         : Robot_Array;
@@ -63,6 +65,14 @@ package Scenes is
       Width, Height : int;
       Grey          : System.Address) return int
    with Import, Convention => C, External_Name => "scene_decode_grey";
+
+   function Page
+     (Path          : char_array;
+      Scale         : int;
+      Bgr           : System.Address;
+      Room          : int;
+      Width, Height : out int) return int
+   with Import, Convention => C, External_Name => "scene_page";
 
    function Video
      (Scene       : Description;

@@ -28,9 +28,8 @@ double milliseconds() {
   return double(now.tv_sec) * 1e3 + double(now.tv_nsec) * 1e-6;
 }
 
-void demand(vision_status status, bool may_find_nothing) {
-  if (status != VISION_OK &&
-      !(may_find_nothing && status == VISION_NOT_FOUND))
+void demand(vision_status status) {
+  if (status != VISION_OK && status != VISION_NOT_FOUND)
     throw std::runtime_error(std::string("vision: ") + vision_reason());
 }
 
@@ -40,15 +39,9 @@ void load(const Scene &scene, int slot) {
   frame.content = vision::Frame::Content::pixels;
 }
 
-struct Finding {
-  int id;
-  cv::Point2d centre;
-  double angle;
-};
-
 //  The outcome for each target, and what was found beside them
-Tally compare(const Scene &scene, const std::vector<Finding> &findings) {
-  Tally tally;
+void compare(const Scene &scene, const std::vector<Finding> &findings,
+             Tally &tally) {
   std::vector<bool> taken(scene.targets.size(), false);
   for (const Finding &finding : findings) {
     std::size_t nearest = scene.targets.size();
@@ -82,7 +75,6 @@ Tally compare(const Scene &scene, const std::vector<Finding> &findings) {
       tally.angle_error += turn;
     }
   }
-  return tally;
 }
 
 void judge_arena(const Scene &scene, int slot, Result &result) {
@@ -91,23 +83,23 @@ void judge_arena(const Scene &scene, int slot, Result &result) {
   double start = milliseconds();
   const vision_status status = vision_find_arena(slot, &arena);
   result.ours.milliseconds = milliseconds() - start;
-  demand(status, true);
+  demand(status);
   cv::Rect box;
   start = milliseconds();
   const bool boxed = platform_arena(scene.image, box);
   result.peer.milliseconds = milliseconds() - start;
 
-  if (!scene.has_arena) {
+  if (scene.corner.empty()) {
     result.ours.invented = status == VISION_OK;
     result.peer.invented = boxed;
   } else {
     result.targets = 1;
     if (status == VISION_OK) {
       double worst = 0;
-      for (int i = 0; i < 4; ++i)
-        worst = std::max(
-            worst, cv::norm(scene.corner[i] - cv::Point2d(arena.corner[i].x,
-                                                          arena.corner[i].y)));
+      for (std::size_t i = 0; i < 4; ++i) {
+        const cv::Point2d found(arena.corner[i].x, arena.corner[i].y);
+        worst = std::max(worst, cv::norm(scene.corner[i] - found));
+      }
       worst /= scene.field_width;
       result.ours.found = worst <= arena_share;
       result.ours.nearly = worst <= nearly_share;
@@ -116,7 +108,7 @@ void judge_arena(const Scene &scene, int slot, Result &result) {
     }
     //  The platform's has no corners: its box is held against theirs
     const cv::Rect2d field = cv::boundingRect(std::vector<cv::Point2f>(
-        scene.corner, scene.corner + 4));
+        scene.corner.begin(), scene.corner.end()));
     const cv::Rect2d seen = box;
     if (boxed)
       result.peer.found = (field & seen).area() >= 0.8 * (field | seen).area();
@@ -134,36 +126,22 @@ void judge_robots(const Row &row, const Scene &scene, int slot,
       slot, triangles ? VISION_MARKER_TRIANGLE : VISION_MARKER_ARUCO, nullptr,
       robots, 256, &count, nullptr, 0);
   result.ours.milliseconds = milliseconds() - start;
-  demand(status, true);
+  demand(status);
   std::vector<Finding> findings;
   for (int i = 0; i < count; ++i)
     findings.push_back({robots[i].id,
                         {robots[i].centre.x, robots[i].centre.y},
                         robots[i].angle});
-  const double spent = result.ours.milliseconds;
-  result.ours = compare(scene, findings);
-  result.ours.milliseconds = spent;
+  compare(scene, findings, result.ours);
   for (const Target &target : scene.targets)
-    if (target.plain) {
-      ++result.targets;
-      result.perspective += cv::norm(target.middle - target.centre);
-    }
+    result.targets += target.plain;
   if (triangles)
     return;
 
   start = milliseconds();
-  const std::vector<Seen> seen = opencv_markers(scene.image);
-  const double peer_spent = milliseconds() - start;
-  findings.clear();
-  for (const Seen &one : seen) {
-    const cv::Point2d centre = (one.corner[0] + one.corner[2]) / 2;
-    const cv::Point2d ahead = (one.corner[0] + one.corner[1]) / 2;
-    findings.push_back({one.id, centre,
-                        std::atan2(centre.y - ahead.y, centre.x - ahead.x) *
-                            180 / M_PI});
-  }
-  result.peer = compare(scene, findings);
-  result.peer.milliseconds = peer_spent;
+  findings = opencv_markers(scene.image);
+  result.peer.milliseconds = milliseconds() - start;
+  compare(scene, findings, result.peer);
 }
 
 }  // namespace
@@ -182,7 +160,6 @@ Tally &Tally::operator+=(const Tally &other) {
 void Result::join(const Result &row) {
   scenes += row.scenes;
   targets += row.targets;
-  perspective += row.perspective;
   ours += row.ours;
   peer += row.peer;
 }
@@ -203,20 +180,20 @@ Result judge(const Row &row, const Scene &scene, int slot) {
   return result;
 }
 
-bool reached(const Row &row, const Result &result, std::string &why) {
+Outcome conclude(const Row &row, const Result &result) {
+  Outcome outcome{row, result, ""};
   const int missed = result.targets - result.ours.found;
   //  A row of few scenes may miss one
   const int allowed = int(std::ceil((1 - row.goal) * result.targets - 1e-9));
-  why.clear();
   if (missed > allowed)
-    why += "found too few; ";
+    outcome.why += "found too few; ";
   if (row.kind == Row::markers &&
       result.ours.found < result.peer.found - result.targets / 100)
-    why += "fewer than OpenCV; ";
+    outcome.why += "fewer than OpenCV; ";
   if (result.ours.wrong > 0)
-    why += "wrong identifier; ";
+    outcome.why += "wrong identifier; ";
   const double invented = row.kind == Row::no_arena ? row.goal : 0.01;
   if (result.ours.invented > std::floor(invented * result.scenes + 1e-9))
-    why += "found what is not there; ";
-  return why.empty();
+    outcome.why += "found what is not there; ";
+  return outcome;
 }

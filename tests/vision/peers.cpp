@@ -14,7 +14,7 @@
 
 #include <cmath>
 
-std::vector<Seen> opencv_markers(const cv::Mat &image) {
+std::vector<Finding> opencv_markers(const cv::Mat &image) {
   std::vector<std::vector<cv::Point2f>> corners;
   std::vector<int> ids;
 #ifdef ARUCO_IN_OBJDETECT
@@ -31,13 +31,15 @@ std::vector<Seen> opencv_markers(const cv::Mat &image) {
       image, cv::aruco::getPredefinedDictionary(cv::aruco::DICT_4X4_1000),
       corners, ids, settings);
 #endif
-  std::vector<Seen> seen(ids.size());
+  std::vector<Finding> findings;
   for (std::size_t i = 0; i < ids.size(); ++i) {
-    seen[i].id = ids[i];
-    for (int k = 0; k < 4; ++k)
-      seen[i].corner[k] = corners[i][std::size_t(k)];
+    const std::vector<cv::Point2f> &c = corners[i];
+    const cv::Point2d centre = (c[0] + c[2]) / 2, ahead = (c[0] + c[1]) / 2;
+    findings.push_back({ids[i], centre,
+                        std::atan2(centre.y - ahead.y, centre.x - ahead.x) *
+                            180 / M_PI});
   }
-  return seen;
+  return findings;
 }
 
 bool platform_arena(const cv::Mat &image, cv::Rect &box) {

@@ -8,14 +8,15 @@
 
 #include <vector>
 
-struct Seen {
+struct Finding {
   int id;
-  cv::Point2d corner[4];
+  cv::Point2d centre;
+  double angle;  //  degrees, as vision.h says
 };
 
 //  OpenCV's detector of DICT_4X4_1000 with its default settings, corners
 //  refined to sub-pixels
-std::vector<Seen> opencv_markers(const cv::Mat &image);
+std::vector<Finding> opencv_markers(const cv::Mat &image);
 
 //  What the platform's software does: a fixed threshold, edges, the first
 //  large contour that four points describe, of which it keeps the box

@@ -2,7 +2,7 @@
 /* Paints: plain, pictures, shapes, boards, text and codes. */
 #include "print.hpp"
 
-#include "peers.hpp"
+#include <opencv2/imgproc.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -29,12 +29,7 @@ bool is_black(const Code &code, double u, double v) {
 }  // namespace
 
 PaintPtr plain_paint(const cv::Vec3f &tint, const Floor &floor) {
-  return paint({[=](double x, double y, double footprint, cv::Vec3f &colour) {
-                  colour = tint.mul(floor.texture->at(
-                      x / floor.size, y / floor.size, footprint / floor.size));
-                  return true;
-                },
-                false});
+  return picture_paint(floor.texture, floor.size, floor.size, tint);
 }
 
 PaintPtr picture_paint(TexturePtr picture, double width, double height,
@@ -48,46 +43,12 @@ PaintPtr picture_paint(TexturePtr picture, double width, double height,
                 false});
 }
 
-PaintPtr polygon_paint(std::vector<cv::Point2d> corners,
+PaintPtr polygon_paint(std::vector<cv::Point2f> corners, double scale,
                        const cv::Vec3f &ink) {
   return paint({[=](double x, double y, double, cv::Vec3f &colour) {
-    bool inside = false;
-    for (std::size_t i = 0, j = corners.size() - 1; i < corners.size();
-         j = i++) {
-      const cv::Point2d &a = corners[i], &b = corners[j];
-      if ((a.y > y) != (b.y > y) &&
-          x < (b.x - a.x) * (y - a.y) / (b.y - a.y) + a.x)
-        inside = !inside;
-    }
     colour = ink;
-    return inside;
+    return cv::pointPolygonTest(corners, cv::Point2d(x, y) / scale, false) > 0;
   }});
-}
-
-PaintPtr stroke_paint(std::vector<cv::Point2d> points, double thickness,
-                      const cv::Vec3f &ink) {
-  const double radius = thickness / 2;
-  const auto gap = [=](double x, double y) {
-    double least = 1e9;
-    for (std::size_t i = 1; i < points.size(); ++i) {
-      const cv::Point2d along = points[i] - points[i - 1];
-      const cv::Point2d to = cv::Point2d(x, y) - points[i - 1];
-      const double share = std::clamp(
-          to.dot(along) / std::max(1e-9, along.dot(along)), 0.0, 1.0);
-      least = std::min(least, cv::norm(to - share * along));
-    }
-    return least;
-  };
-  return paint({[=](double x, double y, double, cv::Vec3f &colour) {
-                  const double away = gap(x, y);
-                  //  Round: brighter along its middle
-                  colour = ink * float(1.25 - 0.6 * away / radius);
-                  return away < radius;
-                },
-                true,
-                [=](double x, double y, double reach) {
-                  return gap(x, y) > radius + reach;
-                }});
 }
 
 PaintPtr board_paint(int columns, int rows, double size, double margin,
@@ -103,49 +64,20 @@ PaintPtr board_paint(int columns, int rows, double size, double margin,
   }});
 }
 
-PaintPtr frame_paint(double width, double height, double border,
-                     const cv::Vec3f &ink) {
-  const auto out = [=](double x, double y) {
-    return std::max(std::abs(x) - width / 2, std::abs(y) - height / 2);
-  };
-  return paint({[=](double x, double y, double, cv::Vec3f &colour) {
-                  colour = ink;
-                  return out(x, y) < 0 && out(x, y) > -border;
-                },
-                true,
-                [=](double x, double y, double reach) {
-                  return out(x, y) > reach || out(x, y) < -border - reach;
-                }});
-}
-
 PaintPtr text_paint(double width, double height, double line,
                     const cv::Vec3f &paper, const cv::Vec3f &ink,
-                    std::uint64_t seed) {
-  Random random(seed);
-  const int rows = int(height * 0.8 / line);
-  const int columns = std::max(1, int(width * 2 / line));
-  std::vector<float> ink_at;
-  for (int row = 0; row < rows; ++row)
-    for (int cell = 0; cell < columns; ++cell) {
-      const int last = row % 9 == 8 ? columns / 2 : columns;
-      ink_at.push_back(
-          row % 9 < 8 + (row / 9) % 2 && cell < last
-              ? float(random.chance(0.17) ? 0 : random.in(0.3, 1))
-              : 0.0f);
-    }
-  return paint({[=](double x, double y, double, cv::Vec3f &colour) {
-    colour = paper;
-    const double u = (x / width + 0.5 - 0.1) / 0.8;
-    const double v = (y + 0.4 * height) / line;
-    if (u < 0 || u >= 1 || v < 0)
-      return true;
-    const std::size_t cell = std::size_t(v) * std::size_t(columns) +
-                             std::size_t(u * columns);
-    const double within = v - std::floor(v);
-    if (cell < ink_at.size() && within > 0.25 && within < 0.75)
-      colour += (ink - paper) * ink_at[cell];
-    return true;
-  }});
+                    Random &random) {
+  constexpr int fine = 4;  //  texels of a line, and of half of one along it
+  const int rows = int(height / line), columns = int(width * 2 / line);
+  cv::Mat picture(rows * fine, columns * fine, CV_32FC3, cv::Scalar(paper));
+  for (int row = rows / 10; row < rows * 9 / 10; ++row)
+    for (int cell = columns / 10;
+         cell < (row % 9 == 8 ? columns / 2 : columns * 9 / 10); ++cell)
+      if (random.chance(0.83))
+        picture(cv::Rect(cell * fine, row * fine + 1, fine, 2)) =
+            cv::Scalar(paper + (ink - paper) * random.in(0.3, 1));
+  return picture_paint(std::make_shared<const Texture>(picture), width, height,
+                       {1, 1, 1});
 }
 
 PaintPtr code_paint(const Code &code) {

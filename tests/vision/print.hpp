@@ -19,8 +19,6 @@ struct Paint {
       at;
   //  Has edges of its own, so that one sample a pixel is not enough
   bool detailed = true;
-  //  Nothing of it within REACH of a point, for certain; may be none
-  std::function<bool(double x, double y, double reach)> empty = nullptr;
 };
 
 using PaintPtr = std::shared_ptr<const Paint>;
@@ -32,27 +30,19 @@ PaintPtr plain_paint(const cv::Vec3f &colour, const Floor &texture);
 PaintPtr picture_paint(TexturePtr picture, double width, double height,
                        const cv::Vec3f &tint);
 
-//  One colour within a polygon
-PaintPtr polygon_paint(std::vector<cv::Point2d> corners,
+//  One colour within a polygon, of which CORNERS times SCALE are the corners
+PaintPtr polygon_paint(std::vector<cv::Point2f> corners, double scale,
                        const cv::Vec3f &colour);
-
-//  A line of THICKNESS with round ends: a cable, a stroke of a pen
-PaintPtr stroke_paint(std::vector<cv::Point2d> points, double thickness,
-                      const cv::Vec3f &colour);
 
 //  COLUMNS x ROWS fields of SIZE from the surface's middle, in two colours,
 //  with MARGIN of the first around
 PaintPtr board_paint(int columns, int rows, double size, double margin,
                      const cv::Vec3f &light, const cv::Vec3f &dark);
 
-//  A frame of BORDER around WIDTH x HEIGHT, hollow
-PaintPtr frame_paint(double width, double height, double border,
-                     const cv::Vec3f &colour);
-
 //  Rows of printed words: what text looks like from afar
 PaintPtr text_paint(double width, double height, double line,
                     const cv::Vec3f &paper, const cv::Vec3f &ink,
-                    std::uint64_t seed);
+                    Random &random);
 
 struct Blot {
   cv::Point2d centre;
@@ -76,8 +66,5 @@ struct Code {
 };
 
 PaintPtr code_paint(const Code &code);
-
-//  The modules of marker ID of DICT_4X4_1000
-std::vector<bool> aruco_modules(int id);
 
 #endif

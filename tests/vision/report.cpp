@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /* The report's lines and tables. */
-#include "report.hpp"
-
-#include "photographs.hpp"
+#include "judging.hpp"
 
 #include <opencv2/core/utility.hpp>
 
@@ -10,59 +8,94 @@
 
 namespace {
 
-std::string text(const char *format, double value) {
-  char line[64];
-  std::snprintf(line, sizeof line, format, value);
-  return line;
+using Cells = std::vector<std::string>;
+
+//  Of rows of one kind or two
+struct Table {
+  const char *title, *before;
+  Cells columns;
+};
+
+const Table tables[] = {
+    {"Arena", "",
+     {"scenes", "every corner within 0.5 %", "within 1 %", "mean error, %",
+      "platform's method: its box", "ms", "platform's"}},
+    {"Images without an arena", "",
+     {"images", "arenas seen", "platform's method"}},
+    {"Markers and triangles",
+     "Beside OpenCV's detector of the same version. Wrong: another "
+     "identifier; false: none is there. Where rows have no markers, their "
+     "images are counted.\n\n",
+     {"markers", "found", "OpenCV", "wrong", "OpenCV", "false", "OpenCV",
+      "centre, px", "OpenCV", "angle, degrees", "OpenCV", "ms", "OpenCV"}}};
+
+const Table &table_of(const Outcome &outcome) {
+  return tables[std::min<int>(outcome.row.kind, Row::markers)];
 }
 
-std::string percent(int part, int whole) {
-  return whole > 0 ? text("%.1f", 100.0 * part / whole) : "-";
-}
-
+//  SUM / COUNT
 std::string mean(const char *format, double sum, int count) {
-  return count > 0 ? text(format, sum / count) : "-";
+  char text[64];
+  std::snprintf(text, sizeof text, format, sum / count);
+  return count > 0 ? text : "-";
 }
 
-bool peer_is_judged(const Outcome &outcome) {
-  return outcome.row.kind != Row::triangles;
+Cells cells_of(const Outcome &outcome) {
+  const Result &r = outcome.result;
+  const auto percent = [&](int part) {
+    return mean("%.1f", 100.0 * part, r.targets);
+  };
+  const auto spent = [&](const Tally &tally) {
+    return mean("%.1f", tally.milliseconds, r.scenes);
+  };
+  if (outcome.row.kind == Row::arena)
+    return {std::to_string(r.targets),
+            percent(r.ours.found),
+            percent(r.ours.nearly),
+            mean("%.2f", r.ours.centre_error, r.ours.found),
+            percent(r.peer.found),
+            spent(r.ours),
+            spent(r.peer)};
+  if (outcome.row.kind == Row::no_arena)
+    return {std::to_string(r.scenes), std::to_string(r.ours.invented),
+            std::to_string(r.peer.invented)};
+  Cells cells = {std::to_string(r.targets > 0 ? r.targets : r.scenes)};
+  const auto both = [&](const auto &text) {
+    cells.push_back(text(r.ours));
+    cells.push_back(outcome.row.kind == Row::markers ? text(r.peer) : "-");
+  };
+  both([&](const Tally &t) { return percent(t.found); });
+  both([](const Tally &t) { return std::to_string(t.wrong); });
+  both([](const Tally &t) { return std::to_string(t.invented); });
+  both([](const Tally &t) { return mean("%.2f", t.centre_error, t.found); });
+  both([](const Tally &t) { return mean("%.2f", t.angle_error, t.found); });
+  both(spent);
+  return cells;
 }
 
 }  // namespace
 
-void print_outcome(std::ostream &out, const Outcome &outcome) {
-  const Result &r = outcome.result;
-  char line[200];
-  std::snprintf(line, sizeof line, "%-30s %4d ", outcome.row.name.c_str(),
-                r.targets > 0 ? r.targets : r.scenes);
-  out << line;
-  if (outcome.row.kind == Row::no_arena || r.targets == 0)
-    std::snprintf(line, sizeof line, "false %3d  peer %3d              ",
-                  r.ours.invented, r.peer.invented);
-  else if (outcome.row.kind == Row::arena)
-    std::snprintf(line, sizeof line, "%5s %% (1 %%: %5s)  peer's box %5s",
-                  percent(r.ours.found, r.targets).c_str(),
-                  percent(r.ours.nearly, r.targets).c_str(),
-                  percent(r.peer.found, r.targets).c_str());
-  else
-    std::snprintf(line, sizeof line,
-                  "%5s %% peer %5s  wrong %d/%d false %d/%d",
-                  percent(r.ours.found, r.targets).c_str(),
-                  peer_is_judged(outcome)
-                      ? percent(r.peer.found, r.targets).c_str()
-                      : "-",
-                  r.ours.wrong, r.peer.wrong, r.ours.invented,
-                  r.peer.invented);
-  out << line;
-  std::snprintf(line, sizeof line, "  %6.2f ms, peer %6.2f  ",
-                r.ours.milliseconds / r.scenes,
-                r.peer.milliseconds / r.scenes);
-  out << line << (outcome.passed ? "" : "BELOW: " + outcome.why) << '\n';
-  if (!r.missed.empty()) {
+void print_outcome(std::ostream &out, const Outcome &outcome,
+                   const Outcome *before) {
+  const Table &table = table_of(outcome);
+  if (before == nullptr || &table_of(*before) != &table) {
+    out << "row";
+    for (const std::string &column : table.columns)
+      out << " | " << column;
+    out << '\n';
+  }
+  std::string line = outcome.row.name;
+  for (const std::string &cell : cells_of(outcome)) {
+    line.resize(std::max<std::size_t>(line.size(), 30), ' ');
+    line += std::string(7 - std::min<std::size_t>(6, cell.size()), ' ') + cell;
+  }
+  out << line << (outcome.why.empty() ? "" : "  BELOW: " + outcome.why)
+      << '\n';
+  if (!outcome.result.missed.empty()) {
     out << "      scenes";
-    for (std::size_t i = 0; i < r.missed.size() && i < 20; ++i)
-      out << ' ' << r.missed[i];
-    out << (r.missed.size() > 20 ? " ...\n" : "\n");
+    for (const int scene : outcome.result.missed)
+      out << ' ' << scene;
+    out << '\n';
   }
   out.flush();
 }
@@ -75,71 +108,22 @@ void write_markdown(std::ostream &out, const std::vector<Outcome> &outcomes,
       << " photographs. What the rows are made of, and what counts as found: "
       << "[tests/vision](../tests/vision/README.md). Rates in percent; times "
       << "are processor time of a search, milliseconds, on the machine that "
-      << "ran it.\n\n"
-      << "## Arena\n\n"
-      << "| row | scenes | every corner within 0.5 % | within 1 % | mean "
-         "error, % | platform's method: its box | ms | platform's |\n"
-      << "|---|---|---|---|---|---|---|---|\n";
-  for (const Outcome &outcome : outcomes) {
-    const Result &r = outcome.result;
-    if (outcome.row.kind == Row::arena)
-      out << "| " << outcome.row.name << " | " << r.targets << " | "
-          << percent(r.ours.found, r.targets) << " | "
-          << percent(r.ours.nearly, r.targets) << " | "
-          << mean("%.2f", r.ours.centre_error, r.ours.found) << " | "
-          << percent(r.peer.found, r.targets) << " | "
-          << mean("%.1f", r.ours.milliseconds, r.scenes) << " | "
-          << mean("%.1f", r.peer.milliseconds, r.scenes) << " |\n";
+      << "ran it.\n";
+  const auto write = [&](const std::string &first, const Cells &cells) {
+    out << "| " << first << " |";
+    for (const std::string &cell : cells)
+      out << ' ' << cell << " |";
+    out << '\n';
+  };
+  for (const Table &table : tables) {
+    out << "\n## " << table.title << "\n\n" << table.before;
+    write("row", table.columns);
+    out << "|---|";
+    for (std::size_t i = 0; i < table.columns.size(); ++i)
+      out << "---|";
+    out << '\n';
+    for (const Outcome &outcome : outcomes)
+      if (&table_of(outcome) == &table)
+        write(outcome.row.name, cells_of(outcome));
   }
-  out << "\n## Images without an arena\n\n"
-      << "| row | images | arenas seen | platform's method |\n"
-      << "|---|---|---|---|\n";
-  for (const Outcome &outcome : outcomes) {
-    const Result &r = outcome.result;
-    if (outcome.row.kind == Row::no_arena)
-      out << "| " << outcome.row.name << " | " << r.scenes << " | "
-          << r.ours.invented << " | " << r.peer.invented << " |\n";
-  }
-  out << "\n## Markers and triangles\n\n"
-      << "Beside OpenCV's detector of the same version. Wrong: another "
-         "identifier; false: none is there. Where rows have no markers, "
-         "their images are counted.\n\n"
-      << "| row | markers | found | OpenCV | wrong | OpenCV | false | OpenCV "
-         "| centre, px | OpenCV | angle, degrees | OpenCV | ms | OpenCV |\n"
-      << "|---|---|---|---|---|---|---|---|---|---|---|---|---|---|\n";
-  double perspective = 0;
-  int tilted = 0;
-  for (const Outcome &outcome : outcomes) {
-    const Result &r = outcome.result;
-    if (outcome.row.kind == Row::arena || outcome.row.kind == Row::no_arena)
-      continue;
-    const bool peer = peer_is_judged(outcome);
-    const auto of_peer = [&](const std::string &what) {
-      return peer ? what : std::string("-");
-    };
-    out << "| " << outcome.row.name << " | "
-        << (r.targets > 0 ? r.targets : r.scenes) << " | "
-        << percent(r.ours.found, r.targets) << " | "
-        << of_peer(percent(r.peer.found, r.targets)) << " | " << r.ours.wrong
-        << " | " << of_peer(std::to_string(r.peer.wrong)) << " | "
-        << r.ours.invented << " | "
-        << of_peer(std::to_string(r.peer.invented)) << " | "
-        << mean("%.2f", r.ours.centre_error, r.ours.found) << " | "
-        << of_peer(mean("%.2f", r.peer.centre_error, r.peer.found)) << " | "
-        << mean("%.2f", r.ours.angle_error, r.ours.found) << " | "
-        << of_peer(mean("%.2f", r.peer.angle_error, r.peer.found)) << " | "
-        << mean("%.1f", r.ours.milliseconds, r.scenes) << " | "
-        << of_peer(mean("%.1f", r.peer.milliseconds, r.scenes)) << " |\n";
-    if (outcome.row.name == "large, strongly tilted") {
-      perspective = r.perspective;
-      tilted = r.targets;
-    }
-  }
-  if (tilted > 0)
-    out << "\nThe centre that is published is the middle of the first and the "
-           "third corner. In perspective a marker's own middle is where its "
-           "diagonals cross: in the row of large, strongly tilted ones that "
-           "is "
-        << mean("%.1f", perspective, tilted)
-        << " pixels away in the mean.\n";
 }

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /* The table of rows. */
-#include "rows.hpp"
+#include "judging.hpp"
 
-#include "photographs.hpp"
 
 namespace {
 
@@ -28,9 +27,7 @@ Row marker_row(const std::string &name, const MarkerOptions &options,
 }
 
 Scene photograph(Random &random, int number) {
-  Scene scene;
-  scene.image = photograph_view(number, random);
-  return scene;
+  return {photograph_view(number, random)};
 }
 
 const struct {
@@ -45,7 +42,7 @@ const struct {
     {"border 5 to 10 %", {.border = {0.05, 0.10}}},
     {"field of grey 165 to 200", {.field = {165, 200}, .contrast = {40, 70}}},
     {"border 20 to 40 over field", {.field = {70, 190}, .contrast = {20, 40}}},
-    {"barrel, k1 -0.25 to -0.1", {.k1 = {-0.25, -0.1}, .division = 0.2}},
+    {"barrel, k1 -0.25 to -0.1", {.k1 = {-0.25, -0.1}}},
     {"pincushion, k1 0.02 to 0.1", {.k1 = {0.02, 0.1}}},
     {"tilt 15 to 20 degrees", {.tilt = {15, 20}}},
     {"roll to 30 degrees", {.roll = {-30, 30}}},

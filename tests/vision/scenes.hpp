@@ -11,12 +11,18 @@
 
 #include <vector>
 
+struct Range {
+  double low, high;
+  double of(Random &random) const { return random.in(low, high); }
+};
+
+constexpr double degree = M_PI / 180;
+
 //  A marker or a triangle, in the image
 struct Target {
   int id = 0;
   std::vector<cv::Point2d> outline;  //  the corners, clockwise
   cv::Point2d centre, direction;     //  as vision.h and docs/wire.md say
-  cv::Point2d middle;                //  where the diagonals cross
   double angle = 0;                  //  degrees
   double side = 0;                   //  mean, pixels
   bool plain = true;  //  a person sees it plainly; else it is not judged
@@ -24,10 +30,10 @@ struct Target {
 
 struct Scene {
   cv::Mat image;
-  bool has_arena = false;
-  cv::Point2d corner[4];  //  clockwise from the top left one
-  double field_width = 0; //  of the 80 cm, pixels
-  std::vector<Target> targets;
+  std::vector<cv::Point2d> corner = {};  //  of an arena, clockwise from the
+                                         //  top left one; else none
+  double field_width = 0;  //  of the 80 cm, pixels
+  std::vector<Target> targets = {};
 };
 
 //  What all scenes are made with
@@ -43,37 +49,37 @@ struct Stage {
   cv::Vec3f colour(double grey, double coloured = 0);
   void add(const PaintPtr &paint, cv::Point2d at, cv::Point2d half,
            double angle, double height = 0, bool solid = false);
+  //  Of one colour with a faint grain
+  void flat(const cv::Vec3f &tint, cv::Point2d at, cv::Point2d half,
+            double angle, double height = 0);
   void floor(double grey, bool photographs);
+  void line(const cv::Vec3f &tint, cv::Point2d from, cv::Point2d to,
+            double thickness);
+  //  The marker ID as printed, in these greys
+  Code code(int id, double module, double paper, double ink);
+  //  From above, the lens having a K1 of that range
+  void look_down(cv::Size size, double pixels_a_cm, double tilt,
+                 const Range &k1);
   //  UNEVEN, LAMP: shares of light that differ over REACH
   void set_light(double uneven, int shades, double lamp, double reach);
   void set_sensor(double noise, double defocus);
   cv::Point2d on_floor(cv::Point2d pixel, double height = 0) const;
   cv::Mat take();
+
+  //  Things on a floor or a table, AT in centimetres
+  void add_sheet(cv::Point2d at, double angle, double size);
+  void add_book(cv::Point2d at, double angle);
+  void add_cable(cv::Point2d from, cv::Point2d to);
+  void add_chess_board(cv::Point2d at, double angle, double size);
+  void add_poster(cv::Point2d at, double angle, double width, double ratio);
+  void add_keyboard(cv::Point2d at, double angle, double width);
+  void add_window(cv::Point2d at, double angle, double width);
+  void add_code_board(cv::Point2d at, double angle, double size);
+  void add_thing(cv::Point2d at);
+  //  A robot without a marker on it, LENGTH from front to back; the height of
+  //  its top
+  double add_robot(cv::Point2d at, double angle, double length, double grey);
 };
-
-struct Range {
-  double low, high;
-  double of(Random &random) const { return random.in(low, high); }
-};
-
-Lens pick_lens(Random &random, const Range &k1, double division);
-
-//  Things on a floor or a table, AT in centimetres
-void add_sheet(Stage &stage, cv::Point2d at, double angle, double size);
-void add_book(Stage &stage, cv::Point2d at, double angle);
-void add_cable(Stage &stage, cv::Point2d from, cv::Point2d to);
-void add_chess_board(Stage &stage, cv::Point2d at, double angle, double size);
-void add_poster(Stage &stage, cv::Point2d at, double angle, double width,
-                double ratio);
-void add_keyboard(Stage &stage, cv::Point2d at, double angle, double width);
-void add_window(Stage &stage, cv::Point2d at, double angle, double width);
-void add_code_board(Stage &stage, cv::Point2d at, double angle, double size);
-void add_thing(Stage &stage, cv::Point2d at);
-
-//  A robot without a marker on it, LENGTH from front to back; the height of
-//  its top
-double add_robot(Stage &stage, cv::Point2d at, double angle, double length,
-                 double grey);
 
 struct ArenaOptions {
   Range width{640, 1280};     //  of the image
@@ -82,7 +88,6 @@ struct ArenaOptions {
   Range contrast{60, 150};    //  border over field
   Range floor{25, 140};       //  grey
   Range k1{-0.04, 0.01};
-  double division = 0.3;      //  share with the other lens
   Range tilt{0, 8}, roll{-5, 5};  //  degrees
   bool turned = false;
   Range fill{0.5, 0.85};      //  of the image's width

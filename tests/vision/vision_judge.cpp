@@ -1,92 +1,84 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /* Renders the rows' scenes, has them searched, and reports. */
 #include "judging.hpp"
-#include "photographs.hpp"
-#include "report.hpp"
-#include "rows.hpp"
 
 #include <opencv2/imgcodecs.hpp>
 
 #include <algorithm>
 #include <atomic>
+#include <charconv>
 #include <cstdlib>
 #include <exception>
 #include <fstream>
+#include <future>
 #include <iostream>
 #include <map>
-#include <mutex>
 #include <thread>
+
+#include <getopt.h>
 
 namespace {
 
 const char usage[] =
     "usage: destijl_vision_judge [--short] [--scenes N] [--row TEXT]\n"
-    "                            [--seed N] [--threads N]\n"
-    "                            [--photographs FOLDER] [--markdown FILE]\n"
+    "                            [--seed N] [--photographs FOLDER]\n"
+    "                            [--markdown FILE]\n"
     "       destijl_vision_judge --row NAME --scene N [--save FILE] [...]\n"
-    "       destijl_vision_judge --list\n"
     "--row: the rows with TEXT in their name. Exit 1 when a row is below its\n"
     "goal.\n";
 
-struct Options {
-  bool brief = false, list = false;
-  int scenes = 0, scene = -1, seed = 1;
-  int threads = int(std::clamp(std::thread::hardware_concurrency(), 1u, 6u));
-  std::string row, photographs, markdown, save;
-};
+//  vision.h has six slots, one for each
+const int threads = std::clamp(int(std::thread::hardware_concurrency()), 1, 6);
 
 [[noreturn]] void fail(const std::string &what, int status) {
   std::cerr << "destijl_vision_judge: " << what << '\n';
   std::exit(status);
 }
 
-int number(const char *text) {
-  char *end = nullptr;
-  const long value = std::strtol(text, &end, 10);
-  if (*text == '\0' || *end != '\0' || value < 0 || value > 1000000)
-    fail(std::string("not a number: ") + text, 2);
-  return int(value);
-}
+struct Options {
+  bool brief;
+  int scenes, scene, seed;
+  std::string row, photographs, markdown, save;
+};
 
 Options read_options(int count, char **words) {
-  Options options;
-  const std::map<std::string, bool *> flags = {{"--short", &options.brief},
-                                               {"--list", &options.list}};
-  const std::map<std::string, int *> numbers = {
-      {"--scenes", &options.scenes},
-      {"--scene", &options.scene},
-      {"--threads", &options.threads},
-      {"--seed", &options.seed}};
-  const std::map<std::string, std::string *> texts = {
-      {"--row", &options.row},
-      {"--photographs", &options.photographs},
-      {"--markdown", &options.markdown},
-      {"--save", &options.save}};
-  for (int i = 1; i < count; ++i) {
-    const std::string word = words[i];
-    if (word == "--help") {
-      std::cout << usage;
-      std::exit(0);
-    }
-    const bool more = i + 1 < count;
-    if (flags.count(word)) {
-      *flags.at(word) = true;
-    } else if (more && numbers.count(word)) {
-      *numbers.at(word) = number(words[++i]);
-    } else if (more && texts.count(word)) {
-      *texts.at(word) = words[++i];
-    } else {
-      std::cerr << usage;
-      std::exit(2);
-    }
+  static const option known[] = {
+      {"help", no_argument, nullptr, 0},
+      {"short", no_argument, nullptr, 0},
+      {"scenes", required_argument, nullptr, 0},
+      {"scene", required_argument, nullptr, 0},
+      {"seed", required_argument, nullptr, 0},
+      {"row", required_argument, nullptr, 0},
+      {"photographs", required_argument, nullptr, 0},
+      {"markdown", required_argument, nullptr, 0},
+      {"save", required_argument, nullptr, 0},
+      {}};
+  std::map<std::string, std::string> given;
+  int got, which = 0;
+  while ((got = getopt_long(count, words, "", known, &which)) == 0)
+    given[known[which].name] = optarg != nullptr ? optarg : "";
+  if (got == '?' || optind < count)
+    fail(usage, 2);
+  if (given.count("help")) {
+    std::cout << usage;
+    std::exit(0);
   }
-  if (options.threads < 1 || options.threads > 6)
-    fail("--threads: 1 to 6, vision.h has six slots", 2);
-  return options;
+  const auto number = [&](const char *name, int otherwise) {
+    int value = otherwise;
+    const std::string &text = given[name];
+    const char *const end = text.data() + text.size();
+    if (!text.empty() &&
+        (std::from_chars(text.data(), end, value).ptr != end || value < 0))
+      fail("not a number: " + text, 2);
+    return value;
+  };
+  return {given.count("short") > 0, number("scenes", 0), number("scene", -1),
+          number("seed", 1),        given["row"],        given["photographs"],
+          given["markdown"],        given["save"]};
 }
 
 Scene make(const Row &row, int seed, int scene) {
-  Random random(std::uint64_t(seed), row.name, scene);
+  Random random(seed, row.name, scene);
   return row.make(random, scene);
 }
 
@@ -96,24 +88,15 @@ Result judge_row(const Row &row, const Options &options) {
                                         : row.full;
   std::vector<Result> results{std::size_t(scenes)};
   std::atomic<int> next{0};
-  std::mutex lock;
-  std::string failure;
-  std::vector<std::thread> threads;
-  for (int slot = 0; slot < options.threads; ++slot)
-    threads.emplace_back([&, slot] {
-      try {
-        for (int i; (i = next++) < scenes;)
-          results[std::size_t(i)] =
-              judge(row, make(row, options.seed, i), slot);
-      } catch (const std::exception &error) {
-        const std::lock_guard<std::mutex> guard(lock);
-        failure = error.what();
-      }
-    });
-  for (std::thread &thread : threads)
-    thread.join();
-  if (!failure.empty())
-    fail(failure, 1);
+  std::vector<std::future<void>> workers;
+  for (int slot = 0; slot < threads; ++slot)
+    workers.push_back(std::async(std::launch::async, [&, slot] {
+      for (int i; (i = next++) < scenes;)
+        results[std::size_t(i)] =
+            judge(row, make(row, options.seed, i), slot);
+    }));
+  for (std::future<void> &worker : workers)
+    worker.get();
   Result sum;
   for (int i = 0; i < scenes; ++i)
     sum.add(results[std::size_t(i)], i);
@@ -122,9 +105,9 @@ Result judge_row(const Row &row, const Options &options) {
 
 void show_scene(const Row &row, const Options &options) {
   const Scene scene = make(row, options.seed, options.scene);
-  Outcome outcome{row, {}, true, ""};
-  outcome.result.add(judge(row, scene, 0), options.scene);
-  print_outcome(std::cout, outcome);
+  Result result;
+  result.add(judge(row, scene, 0), options.scene);
+  print_outcome(std::cout, {row, result, ""}, nullptr);
   if (!options.save.empty() && !cv::imwrite(options.save, scene.image))
     fail("cannot write the image", 1);
 }
@@ -143,11 +126,6 @@ int main(int count, char **words) try {
       rows.push_back(row);
   if (rows.empty())
     fail("no row is named so: " + options.row, 2);
-  if (options.list) {
-    for (const Row &row : rows)
-      std::cout << row.name << '\n';
-    return 0;
-  }
   if (options.scene >= 0) {
     for (const Row &row : rows)
       if (rows.size() == 1 || row.name == options.row) {
@@ -159,11 +137,11 @@ int main(int count, char **words) try {
 
   std::vector<Outcome> outcomes;
   int below = 0;
-  const auto conclude = [&](const Row &row, const Result &result) {
-    Outcome outcome{row, result, false, ""};
-    outcome.passed = reached(row, result, outcome.why);
-    below += !outcome.passed;
-    print_outcome(std::cout, outcome);
+  const auto note = [&](const Row &row, const Result &result) {
+    const Outcome outcome = conclude(row, result);
+    below += !outcome.why.empty();
+    print_outcome(std::cout, outcome,
+                  outcomes.empty() ? nullptr : &outcomes.back());
     outcomes.push_back(outcome);
   };
   //  Few scenes a row may miss one each; all together may not
@@ -171,7 +149,7 @@ int main(int count, char **words) try {
   Result found;
   for (const Row &row : rows) {
     if (row.kind != Row::arena && found.targets > 0) {
-      conclude(arenas, found);
+      note(arenas, found);
       found = Result();
     }
     const Result result = judge_row(row, options);
@@ -179,7 +157,7 @@ int main(int count, char **words) try {
       found.join(result);
       arenas.goal = row.goal;
     }
-    conclude(row, result);
+    note(row, result);
   }
   if (!options.markdown.empty()) {
     std::ofstream file(options.markdown);

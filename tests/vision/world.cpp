@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/* The ray caster, by tiles of the image: one that a single plain surface
- * fills takes one ray a pixel; others are divided, the least take sixteen. */
+/* The camera, and the ray caster, by tiles of the image: one that a single
+ * plain surface fills takes one ray a pixel; others are divided, the least
+ * take sixteen. */
 #include "world.hpp"
 
 #include <opencv2/imgproc.hpp>
@@ -10,6 +11,19 @@
 #include <cmath>
 
 namespace {
+
+cv::Matx33d about_axis(double x, double y, double z, double angle) {
+  const double c = std::cos(angle), s = std::sin(angle), t = 1 - c;
+  return {t * x * x + c,     t * x * y - s * z, t * x * z + s * y,
+          t * x * y + s * z, t * y * y + c,     t * y * z - s * x,
+          t * x * z - s * y, t * y * z + s * x, t * z * z + c};
+}
+
+//  Undistorted over distorted radius, by the square of the distorted
+double correction(const Lens &lens, double r2) {
+  return lens.model == Lens::brown ? 1 - r2 * (lens.k1 + r2 * lens.k2)
+                                   : 1 / (1 + lens.k1 * r2);
+}
 
 constexpr int largest = 16, smallest = 4;  //  tiles, pixels a side
 constexpr int rays = 16;                   //  a pixel
@@ -78,7 +92,7 @@ struct Piece {
         return false;
     return true;
   }
-  bool empty() const {
+  bool beside() const {
     const Surface &surface = *placed->surface;
     if (surface.endless)
       return false;
@@ -89,14 +103,7 @@ struct Piece {
       beyond[2] += own.y > surface.half.y;
       beyond[3] += own.y < -surface.half.y;
     }
-    if (*std::max_element(beyond, beyond + 4) == 4)
-      return true;
-    const cv::Point2d middle = at(0.5, 0.5);
-    double reach = 0;
-    for (const cv::Point2d &own : corner)
-      reach = std::max(reach, cv::norm(own - middle));
-    const auto &empty = surface.paint->empty;
-    return empty && empty(middle.x, middle.y, reach);
+    return *std::max_element(beyond, beyond + 4) == 4;
   }
 };
 
@@ -125,7 +132,7 @@ class Caster {
       piece.placed = placed;
       for (int i = 0; i < 4; ++i)
         piece.corner[i] = own_point(*placed, camera_.position, ray[i]);
-      if (piece.empty())
+      if (piece.beside())
         continue;
       pieces.push_back(piece);
       filled = placed->surface->solid && piece.all_within();
@@ -186,10 +193,72 @@ class Caster {
 
 }  // namespace
 
-cv::Point3d Surface::world(cv::Point2d own) const {
+Camera::Camera(cv::Size image, double focal_length, cv::Point2d middle,
+               const Lens &lens)
+    : size(image), focal(focal_length), middle_(middle), lens_(lens) {}
+
+void Camera::stand(cv::Point2d aim, double away, double tilt, double azimuth,
+                   double roll) {
+  turn_ = about_axis(0, 0, 1, roll) *
+          about_axis(-std::sin(azimuth), std::cos(azimuth), 0, -tilt);
+  distance = away;
+  const cv::Vec3d axis = turn_.t() * cv::Vec3d(0, 0, 1);
+  position = cv::Vec3d(aim.x, aim.y, 0) - away * axis;
+}
+
+cv::Point2d Camera::project(const cv::Point3d &point) const {
+  const cv::Vec3d seen =
+      turn_ * (cv::Vec3d(point.x, point.y, point.z) - position);
+  if (seen[2] < 1e-3)
+    return {1e6, 1e6};
+  const double x = seen[0] / seen[2], y = seen[1] / seen[2];
+  //  The distorted radius, by bisection
+  const double wanted = std::hypot(x, y);
+  double low = 0, high = 2;
+  for (int step = 0; step < 50; ++step) {
+    const double r = (low + high) / 2;
+    (r * correction(lens_, r * r) < wanted ? low : high) = r;
+  }
+  const double scale = wanted > 0 ? focal * low / wanted : focal;
+  return {middle_.x + x * scale, middle_.y + y * scale};
+}
+
+cv::Vec3d Camera::ray(double px, double py) const {
+  const double x = (px - middle_.x) / focal, y = (py - middle_.y) / focal;
+  const double scale = correction(lens_, x * x + y * y);
+  return turn_.t() * cv::Vec3d(x * scale, y * scale, 1);
+}
+
+std::vector<cv::Point2d> sides(cv::Point2d half, int count) {
+  std::vector<cv::Point2d> points;
+  for (int i = -count; i <= count; ++i)
+    for (const double end : {-1.0, 1.0}) {
+      const double part = double(i) / count;
+      points.emplace_back(part * half.x, end * half.y);
+      points.emplace_back(end * half.x, part * half.y);
+    }
+  return points;
+}
+
+cv::Rect2d box_around(const std::vector<cv::Point2d> &points) {
+  double left = 1e9, top = 1e9, right = -1e9, bottom = -1e9;
+  for (const cv::Point2d &point : points) {
+    left = std::min(left, point.x);
+    right = std::max(right, point.x);
+    top = std::min(top, point.y);
+    bottom = std::max(bottom, point.y);
+  }
+  return {left, top, right - left, bottom - top};
+}
+
+cv::Point2d turned(cv::Point2d own, double angle) {
   const double c = std::cos(angle), s = std::sin(angle);
-  return {centre.x + c * own.x - s * own.y, centre.y + s * own.x + c * own.y,
-          -height};
+  return {c * own.x - s * own.y, s * own.x + c * own.y};
+}
+
+cv::Point3d Surface::world(cv::Point2d own) const {
+  const cv::Point2d at = centre + turned(own, angle);
+  return {at.x, at.y, -height};
 }
 
 float Light::on(cv::Point2d point) const {
@@ -202,8 +271,7 @@ float Light::on(cv::Point2d point) const {
     light += lamp.strength * float(near * near);
   }
   for (const Shade &shade : shades) {
-    const cv::Point2d normal(-std::sin(shade.angle), std::cos(shade.angle));
-    const double in = normal.dot(point - shade.through);
+    const double in = turned(point - shade.through, -shade.angle).y;
     const auto edge = [&](double d) {
       const double a = std::clamp(d / shade.soft + 0.5, 0.0, 1.0);
       return a * a * (3 - 2 * a);
@@ -218,10 +286,8 @@ float Light::on(cv::Point2d point) const {
 float Light::mirrored(cv::Point2d point) const {
   float sum = 0;
   for (const Glare &glare : glares) {
-    const cv::Point2d away = point - glare.at;
-    const double c = std::cos(glare.angle), s = std::sin(glare.angle);
-    const double a = (c * away.x + s * away.y) / glare.length;
-    const double b = (c * away.y - s * away.x) / glare.width;
+    const cv::Point2d away = turned(point - glare.at, -glare.angle);
+    const double a = away.x / glare.length, b = away.y / glare.width;
     sum += glare.strength * float(std::exp(-(a * a + b * b)));
   }
   return sum;
@@ -248,13 +314,13 @@ cv::Mat show(const World &world, const Camera &camera) {
     for (int left = 0; left < width; left += largest)
       caster.tile(left, top, largest, all);
 
-  //  Light changes slowly: every fourth pixel is enough
+  //  Light changes slowly: one place in each four by four pixels is enough
   const int step = 4;
   const cv::Size coarse(width / step + 2, height / step + 2);
-  cv::Mat lit(coarse, CV_32FC2);
+  cv::Mat on(coarse, CV_32FC3), mirrored(coarse, CV_32FC3);
   for (int j = 0; j < coarse.height; ++j)
     for (int i = 0; i < coarse.width; ++i) {
-      const double x = i * step, y = j * step;
+      const double x = i * step + 1.5, y = j * step + 1.5;
       const cv::Vec3d ray = camera.ray(x, y);
       const cv::Vec3d &eye = camera.position;
       const double t = -eye[2] / ray[2];
@@ -263,23 +329,12 @@ cv::Mat show(const World &world, const Camera &camera) {
           (std::pow(x - width / 2.0, 2) + std::pow(y - height / 2.0, 2)) /
           (0.25 * (double(width) * width + double(height) * height));
       const float lens = float(1 - world.light.vignette * out);
-      lit.at<cv::Vec2f>(j, i) = {world.light.on(point) * lens,
-                                 world.light.mirrored(point) * lens};
+      on.at<cv::Vec3f>(j, i) = cv::Vec3f::all(world.light.on(point) * lens);
+      mirrored.at<cv::Vec3f>(j, i) =
+          cv::Vec3f::all(world.light.mirrored(point) * lens);
     }
-  for (int y = 0; y < height; ++y) {
-    const int j = y / step;
-    const float b = float(y % step) / step;
-    const cv::Vec2f *above = lit.ptr<cv::Vec2f>(j);
-    const cv::Vec2f *below = lit.ptr<cv::Vec2f>(j + 1);
-    cv::Vec3f *line = image.ptr<cv::Vec3f>(y);
-    for (int x = 0; x < width; ++x) {
-      const int i = x / step;
-      const float a = float(x % step) / step;
-      const cv::Vec2f l =
-          (1 - b) * ((1 - a) * above[i] + a * above[i + 1]) +
-          b * ((1 - a) * below[i] + a * below[i + 1]);
-      line[x] = line[x] * l[0] + cv::Vec3f(l[1], l[1], l[1]);
-    }
-  }
-  return image;
+  cv::resize(on, on, coarse * step);
+  cv::resize(mirrored, mirrored, coarse * step);
+  const cv::Rect whole({}, camera.size);
+  return image.mul(on(whole)) + mirrored(whole);
 }

@@ -10,25 +10,14 @@
 #include <string.h>
 #include <sys/prctl.h>
 
-// Of AFL++'s run time, afl-compiler-rt.o. Its compilers would write these
-// declarations, and the two marks below that afl-fuzz looks for in a
-// program: many inputs to a process, and a process that says itself where
-// its copies begin.
+// Of AFL++: the coverage map of its run time, afl-compiler-rt.o, and its
+// driver, libAFLDriver.a, which gives all inputs of afl-fuzz, or files.
 extern uint8_t *__afl_area_ptr;
-extern unsigned char *__afl_fuzz_ptr;
-extern uint32_t *__afl_fuzz_len;
-int __afl_sharedmem_fuzzing = 1;
-int __afl_persistent_loop(unsigned count);
-void __afl_manual_init(void);
+int LLVMFuzzerTestOneInput(const uint8_t *bytes, size_t size);
+int LLVMFuzzerRunDriver(int *count, char ***arguments,
+                        int (*target)(const uint8_t *bytes, size_t size));
 
-static const char *const volatile many_inputs = "##SIG_AFL_PERSISTENT##";
-static const char *const volatile own_start = "##SIG_AFL_DEFER_FORKSRV##";
-
-enum {
-  map_bits = 16,         // of the coverage map: 65536 counters, as AFL's
-  inputs_each = 2000,    // to one process, then a fresh one
-  most_bytes = 1 << 20
-};
+enum { map_bits = 16 };  // of the coverage map: 65536 counters, as AFL's
 
 // Where the program was loaded: the linker's symbol.
 extern const char __executable_start;
@@ -52,7 +41,10 @@ void __sanitizer_cov_trace_pc(void) {
   before = here >> 1;
 }
 
-static void give(const unsigned char *bytes, size_t size) {
+int LLVMFuzzerTestOneInput(const uint8_t *bytes, size_t size) {
+  // A copy of the process waits stopped between two inputs, and afl-fuzz was
+  // seen to end without it.
+  prctl(PR_SET_PDEATHSIG, SIGKILL);
   unsigned char *const data = malloc(size);
   if (data == NULL && size > 0)
     fuzz_crash();
@@ -61,43 +53,7 @@ static void give(const unsigned char *bytes, size_t size) {
   before = 0;
   run(chosen, data, size);
   free(data);
-}
-
-static int give_file(FILE *file) {
-  unsigned char *const bytes = malloc(most_bytes);
-  if (bytes == NULL)
-    return -1;
-  const size_t size = fread(bytes, 1, most_bytes, file);
-  const int failed = ferror(file);
-  if (!failed)
-    give(bytes, size);
-  free(bytes);
-  return failed ? -1 : 0;
-}
-
-static int replay(const char *path) {
-  FILE *const file = fopen(path, "rb");
-  const int status = file == NULL ? -1 : give_file(file);
-  if (file != NULL)
-    fclose(file);
-  if (status != 0)
-    fprintf(stderr, "cannot read %s\n", path);
-  return status;
-}
-
-static void give_all(void) {
-  (void)many_inputs;
-  (void)own_start;
-  __afl_manual_init();
-  // A copy waits stopped between two inputs, and afl-fuzz was seen to end
-  // without it.
-  prctl(PR_SET_PDEATHSIG, SIGKILL);
-  if (__afl_fuzz_ptr == NULL) {
-    give_file(stdin);
-    return;
-  }
-  while (__afl_persistent_loop(inputs_each))
-    give(__afl_fuzz_ptr, *__afl_fuzz_len);
+  return 0;
 }
 
 void fuzz_crash(void) {
@@ -107,7 +63,6 @@ void fuzz_crash(void) {
 
 int fuzz_main(int count, char **arguments, const char *const *names,
               fuzz_target target) {
-  int failed = 0;
   run = target;
   if (count < 2) {
     for (; *names != NULL; ++names)
@@ -120,9 +75,9 @@ int fuzz_main(int count, char **arguments, const char *const *names,
     fprintf(stderr, "no target %s\n", arguments[1]);
     return EXIT_FAILURE;
   }
-  if (count == 2)
-    give_all();
-  for (int k = 2; k < count; ++k)
-    failed |= replay(arguments[k]);
-  return failed ? EXIT_FAILURE : EXIT_SUCCESS;
+  // the driver knows nothing of targets
+  arguments[1] = arguments[0];
+  ++arguments;
+  --count;
+  return LLVMFuzzerRunDriver(&count, &arguments, LLVMFuzzerTestOneInput);
 }

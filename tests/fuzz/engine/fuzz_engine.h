@@ -17,9 +17,8 @@ typedef void (*fuzz_target)(int target, const unsigned char *data,
                             size_t size);
 
 /* PROGRAM TARGET [FILE ...]: gives the target of that name in NAMES, of which
- * the last is null, each file, or without one all inputs of afl-fuzz; outside
- * afl-fuzz that on standard input. Alone it prints the names. The result is
- * the program's status. */
+ * the last is null, each file (-: standard input), or without one all inputs
+ * of afl-fuzz. Alone it prints the names. The result is the program's status. */
 int fuzz_main(int count, char **arguments, const char *const *names,
               fuzz_target target);
 

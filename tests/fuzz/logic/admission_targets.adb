@@ -3,6 +3,7 @@
 
 with Ada.Strings;       use Ada.Strings;
 with Ada.Strings.Fixed; use Ada.Strings.Fixed;
+with Ada.Strings.Maps.Constants; use Ada.Strings.Maps.Constants;
 with Admission;
 with Expectations;      use Expectations;
 with Input_Readers;     use Input_Readers;
@@ -116,9 +117,10 @@ package body Admission_Targets is
       T     : Admission.Token;
 
       procedure Show (Line : String) is
-         --  In the log nothing of Line stands behind the first label
+         --  In the log nothing of Line stands behind the first label, in
+         --  whatever letters
          Label : constant Natural :=
-           Index (Line, Admission.Label);
+           Index (Line, Admission.Label, Mapping => Upper_Case_Map);
          Log   : Texts.Text;
       begin
          Texts.Set (Log, "> ");

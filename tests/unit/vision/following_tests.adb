@@ -66,14 +66,10 @@ procedure Following_Tests is
       --  image, turning
       Way : constant Natural := 3 * K mod 140;
    begin
-      return Scene : Scenes.Description := Pictures.Scene_With
+      return Pictures.Scene_With
         (Marker, 17,
          5.0 + double (if Way < 70 then Way else 140 - Way), 28.0,
-         7.0 * double (K))
-      do
-         Scene.Noise := 3.0;
-         Scene.Seed := unsigned (K);
-      end return;
+         7.0 * double (K));
    end Round_Trip;
 
    procedure Draw (What : Sequence; K : Natural) is
@@ -90,22 +86,20 @@ procedure Following_Tests is
             when Large         => Round_Trip (5 * K),
             when others        => Round_Trip (K));
    begin
+      Scene.Noise :=
+        (case What is
+            when Still  => 5.0,
+            when Noise  => (if K mod 10 = 9 then 30.0 else 15.0),
+            when others => 3.0);
+      Scene.Seed := unsigned (K);
       case What is
-         when Still =>
-            Scene.Noise := 5.0;
-            Scene.Seed := unsigned (K);
-         when Turning =>
-            Scene.Noise := 4.0;
-            Scene.Seed := unsigned (K);
-         when Noise =>
-            Scene.Noise := (if K mod 10 = 9 then 30.0 else 15.0);
          when Blur =>
             Scene.Blur := 2.0;
             Scene.Uneven := 0.5;
             Scene.Turn := 5.0;
          when Partly_Hidden =>
             --  Something stands in the middle, under which the robot goes
-            Pictures.Show_Sheet (Scene, 25.0, 200.0, 20.0, 200);
+            Pictures.Show_Frame (Scene, 25.0, 200.0, 20.0, 200);
             return;
          when Leaving_And_Back =>
             if K mod 9 in 5 .. 6 then
@@ -119,8 +113,6 @@ procedure Following_Tests is
          when Another_Comes =>
             --  One of a lower identifier comes and goes far from the first,
             --  once as slowly as one can hardly see
-            Scene.Noise := 3.0;
-            Scene.Seed := unsigned (K);
             if K in 6 .. 17 or else K in 23 .. 39 then
                Scene.Robots := 2;
                Scene.Robot (1) :=
@@ -141,7 +133,9 @@ procedure Following_Tests is
             Scene.Width := 1_280;
             Scene.Height := 720;
             Scene.Robot (0).X := 20.0 + 3.0 * double (K);
-         when Moving | With_Triangle | Crossing_The_Arena =>
+         when Still | Moving | Turning | Noise | With_Triangle
+            | Crossing_The_Arena
+         =>
             null;
       end case;
       Pictures.Show (Scene);

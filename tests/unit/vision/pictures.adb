@@ -2,7 +2,6 @@
 --  Images for the vision tests: scenes and plain shapes put into a slot, and
 --  files made of them.
 
-with Ada.Directories;
 with Ada.Numerics.Long_Elementary_Functions;
 with Ada.Streams.Stream_IO; use Ada.Streams;
 
@@ -19,7 +18,6 @@ package body Pictures is
      of aliased Grey;
 
    Canvas : Pixels;
-   Drawn  : Pixels;  --  what Show_Aslant bends
 
    procedure Slot_Load (Slot : int; Bgr : System.Address; Width, Height : int)
    with Import, Convention => C, External_Name => "slot_load";
@@ -78,8 +76,8 @@ package body Pictures is
       Width, Height : double;
       Turn          : double;
       Level         : Grey;
-      Border        : double;
-      Border_Level  : Grey)
+      Border        : double := 0.0;
+      Border_Level  : Grey   := 0)
    is
       use Ada.Numerics.Long_Elementary_Functions;
       Cosine : constant Long_Float := Cos (Long_Float (Turn), 360.0);
@@ -106,124 +104,11 @@ package body Pictures is
       Show_Changed (Scene, Change'Access);
    end Show_Frame;
 
-   procedure Show_Sheet
-     (Scene         : Scenes.Description;
-      Width, Height : double;
-      Turn          : double;
-      Level         : Grey) is
-   begin
-      Show_Frame (Scene, Width, Height, Turn, Level, 0.0, Level);
-   end Show_Sheet;
-
-   procedure Show_Aslant (Scene : Scenes.Description; G, H : Long_Float) is
-      Last     : constant int := Scene.Width * Scene.Height * 3 - 1;
-      Middle_X : constant Long_Float := Long_Float (Scene.Width - 1) / 2.0;
-      Middle_Y : constant Long_Float := Long_Float (Scene.Height - 1) / 2.0;
-      Place    : int := 0;
-   begin
-      Draw (Scene);
-      Drawn (0 .. Last) := Canvas (0 .. Last);
-      for Row in 0 .. Scene.Height - 1 loop
-         for Column in 0 .. Scene.Width - 1 loop
-            declare
-               U     : constant Long_Float := Long_Float (Column) - Middle_X;
-               V     : constant Long_Float := Long_Float (Row) - Middle_Y;
-               Depth : constant Long_Float := 1.0 - G * U - H * V;
-               X     : constant Long_Float := Middle_X + U / Depth;
-               Y     : constant Long_Float := Middle_Y + V / Depth;
-               Left  : constant int := int (Long_Float'Floor (X));
-               Top   : constant int := int (Long_Float'Floor (Y));
-               Right_Share : constant Long_Float := X - Long_Float (Left);
-               Lower_Share : constant Long_Float := Y - Long_Float (Top);
-
-               function At_Pixel (X, Y, Colour : int) return Long_Float is
-                 (Long_Float
-                    (Drawn
-                       ((int'Max (0, int'Min (Y, Scene.Height - 1))
-                         * Scene.Width
-                         + int'Max (0, int'Min (X, Scene.Width - 1))) * 3
-                        + Colour)));
-            begin
-               for C in int range 0 .. 2 loop
-                  Canvas (Place + C) := Grey
-                    ((1.0 - Lower_Share)
-                     * ((1.0 - Right_Share) * At_Pixel (Left, Top, C)
-                        + Right_Share * At_Pixel (Left + 1, Top, C))
-                     + Lower_Share
-                     * ((1.0 - Right_Share) * At_Pixel (Left, Top + 1, C)
-                        + Right_Share * At_Pixel (Left + 1, Top + 1, C)));
-               end loop;
-            end;
-            Place := Place + 3;
-         end loop;
-      end loop;
-      Load (Scene.Width, Scene.Height, 0);
-   end Show_Aslant;
-
-   procedure Show_Page (Text : String; Scale : Positive) is
-      Place : Positive := Text'First;
-      Level : Grey := 0;
-      Left, Top, Size : Long_Float;
-      X, Y, W, H      : Long_Float;
-
-      function Number return Long_Float is
-         --  The one at Place or after it; Place is then behind it
-         First : Positive;
-      begin
-         while Text (Place) not in '0' .. '9' | '-' loop
-            Place := Place + 1;
-         end loop;
-         First := Place;
-         loop
-            Place := Place + 1;
-            exit when Text (Place) not in '0' .. '9' | '.';
-         end loop;
-         return Long_Float'Value (Text (First .. Place - 1));
-      end Number;
-
-      function Is_Next (Word : String) return Boolean is
-        (Place + Word'Length <= Text'Last
-         and then Text (Place .. Place + Word'Length - 1) = Word);
-
-      function Pixel (At_Unit, From : Long_Float) return int is
-        (int (Long_Float (Scale) * (From + At_Unit * Size)));
-
+   procedure Show_Page (Path : String; Scale : int) is
       Width, Height : int;
    begin
-      while not Is_Next ("viewBox=") loop
-         Place := Place + 1;
-      end loop;
-      Left := Number;
-      Top := Number;
-      Size := 1.0;
-      Width := Pixel (Number, Left);
-      Height := Pixel (Number, Top);
-      while Place < Text'Last loop
-         if Is_Next ("translate(") then
-            Left := Number;
-            Top := Number;
-            Size := Number;
-         elsif Is_Next ("fill=""none") then
-            while not Is_Next ("/>") loop
-               Place := Place + 1;
-            end loop;
-         elsif Is_Next ("fill=") then
-            Level := (if Is_Next ("fill=""#fff") then 255 else 0);
-         elsif Is_Next ("M") then
-            X := Number;
-            Y := Number;
-            W := Number;
-            H := Number;
-            for Row in Pixel (Y, Top) .. Pixel (Y + H, Top) - 1 loop
-               for Column in Pixel (X, Left) .. Pixel (X + W, Left) - 1 loop
-                  for K in int range 0 .. 2 loop
-                     Canvas ((Row * Width + Column) * 3 + K) := Level;
-                  end loop;
-               end loop;
-            end loop;
-         end if;
-         Place := Place + 1;
-      end loop;
+      Assert (Scenes.Page (To_C (Path), Scale, Canvas'Address, Canvas'Length,
+                           Width, Height) = 0, "drawn");
       Load (Width, Height, 0);
    end Show_Page;
 
@@ -240,7 +125,9 @@ package body Pictures is
    end Check_Size;
 
    function Disturbed
-     (Turn, Noise, Blur, Uneven : double := 0.0) return Scenes.Description
+     (Turn, Noise, Blur, Uneven : double := 0.0;
+      Arena                     : int    := 1)
+      return Scenes.Description
    is
    begin
       return Scene : Scenes.Description := Scenes.Default do
@@ -248,6 +135,7 @@ package body Pictures is
          Scene.Noise := Noise;
          Scene.Blur := Blur;
          Scene.Uneven := Uneven;
+         Scene.Arena := Arena;
       end return;
    end Disturbed;
 
@@ -268,15 +156,22 @@ package body Pictures is
       return "/tmp/destijl_vision_" & Number (2 .. Number'Last) & "_" & Name;
    end Temporary;
 
-   procedure Save (Scene : Scenes.Description; Path : String) is
-      Buffer : Stream_Element_Array (1 .. 1_000_000);
-      Length : constant int := Scenes.Jpeg
-        (Scene, 90, Buffer'Address, Buffer'Length);
-      File   : Stream_IO.File_Type;
+   function Photograph
+     (Scene : Scenes.Description; Quality : int := 90) return Octets
+   is
+      Jpeg   : Octets (1 .. 1_000_000);
+      Length : constant int :=
+        Scenes.Jpeg (Scene, Quality, Jpeg'Address, Jpeg'Length);
    begin
       Assert (Length > 0, "the scene can be encoded");
+      return Jpeg (1 .. Natural (Length));
+   end Photograph;
+
+   procedure Save (Scene : Scenes.Description; Path : String) is
+      File : Stream_IO.File_Type;
+   begin
       Stream_IO.Create (File, Name => Path);
-      Stream_IO.Write (File, Buffer (1 .. Stream_Element_Offset (Length)));
+      Octets'Write (Stream_IO.Stream (File), Photograph (Scene));
       Stream_IO.Close (File);
    end Save;
 
@@ -311,10 +206,5 @@ package body Pictures is
       Assert (Scenes.Video (Scene, Frames, Fps, To_C (Path)) = 0,
               "the video can be written");
    end Save_Video;
-
-   procedure Remove (Path : String) is
-   begin
-      Ada.Directories.Delete_File (Path);
-   end Remove;
 
 end Pictures;

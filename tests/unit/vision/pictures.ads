@@ -2,6 +2,7 @@
 --  Images for the vision tests: scenes and plain shapes put into a slot, and
 --  files made of them.
 
+with Ada.Directories;
 with Interfaces.C; use Interfaces.C;
 with Scenes;
 
@@ -27,32 +28,22 @@ package Pictures is
       Width, Height : double;
       Turn          : double;
       Level         : Grey;
-      Border        : double;
-      Border_Level  : Grey);
+      Border        : double := 0.0;
+      Border_Level  : Grey   := 0);
    --  Scene with a sheet of one grey level in its middle, Width x Height
    --  pixels, turned by Turn degrees, in a border that is Border pixels wide;
    --  into slot 0
 
-   procedure Show_Sheet
-     (Scene         : Scenes.Description;
-      Width, Height : double;
-      Turn          : double;
-      Level         : Grey);
-   --  The same sheet without a border
-
-   procedure Show_Page (Text : String; Scale : Positive);
-   --  The rectangles of an SVG page in mm, Scale pixels each, into slot 0.
-   --  They are subpaths "Mx yhWvHh-Wz", and an attribute fill is before them
-
-   procedure Show_Aslant (Scene : Scenes.Description; G, H : Long_Float);
-   --  What Scene shows at (X, Y), seen at (X, Y) / (1 + G X + H Y), both from
-   --  the middle of the image; into slot 0
+   procedure Show_Page (Path : String; Scale : int);
+   --  The rectangles of an SVG page in mm, Scale pixels each, into slot 0
 
    procedure Check_Size (Slot, Width, Height : int; What : String);
    --  Of the image in Slot, which must hold one
 
    function Disturbed
-     (Turn, Noise, Blur, Uneven : double := 0.0) return Scenes.Description;
+     (Turn, Noise, Blur, Uneven : double := 0.0;
+      Arena                     : int    := 1)
+      return Scenes.Description;
    --  The default, so
 
    function Scene_With
@@ -63,8 +54,14 @@ package Pictures is
    function Temporary (Name : String) return String;
    --  A path for a file of this run
 
+   type Octets is array (Positive range <>) of aliased Grey;
+
+   function Photograph
+     (Scene : Scenes.Description; Quality : int := 90) return Octets;
+   --  A JPEG, as a camera delivers it
+
    procedure Save (Scene : Scenes.Description; Path : String);
-   --  As JPEG
+   --  That in a file
 
    procedure Save_Plain (Width, Height : Positive; Path : String);
    --  One grey level, as PPM
@@ -76,6 +73,6 @@ package Pictures is
    procedure Save_Video
      (Scene : Scenes.Description; Frames, Fps : int; Path : String);
 
-   procedure Remove (Path : String);
+   procedure Remove (Path : String) renames Ada.Directories.Delete_File;
 
 end Pictures;

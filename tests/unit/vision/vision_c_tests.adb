@@ -1,7 +1,6 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
 --  vision_c itself: arguments, slots, unusual sizes, drawing, encoding.
 
-with Ada.Unchecked_Deallocation;
 with GNAT.OS_Lib;
 with Interfaces.C; use Interfaces.C;
 with System;       use System;
@@ -231,9 +230,8 @@ procedure Vision_C_Tests is
          --  is dark. Count: pixels of the letters
          type Picture is array (0 .. Height - 1, 0 .. Width - 1) of Octet
          with Convention => C;
-         type Picture_Access is access Picture;
-         procedure Free is
-           new Ada.Unchecked_Deallocation (Picture, Picture_Access);
+         type Marks is array (0 .. Height - 1, 0 .. Width - 1) of Boolean
+         with Pack;
 
          Where  : constant String :=
            Width'Image & " x" & Height'Image & ":" & Id'Image & " at"
@@ -243,18 +241,13 @@ procedure Vision_C_Tests is
             (double (X), double (Y - Reach)), 0.0);
          Strip  : constant int := Reach - 3;
          --  to both sides of the arrow, which shows upwards
-         Least  : Picture_Access := new Picture'(others => (others => 255));
-         Most   : Picture_Access := new Picture'(others => (others => 0));
-         Shown  : Picture_Access := new Picture;
+         Shown  : Picture;
+         Light  : Marks := (others => (others => True));
+         Dark   : Marks := (others => (others => True));
          Left   : int := Width;
          Right  : int := -1;
          Top    : int := Height;
          Bottom : int := -1;
-
-         function Is_Light (Row, Column : int) return Boolean is
-           (Least (Row, Column) > 150 and then abs (Column - X) > Strip);
-         function Is_Dark (Row, Column : int) return Boolean is
-           (Most (Row, Column) < 60);
       begin
          for Level of Levels loop
             Pictures.Show_Plain (Width, Height, Level);
@@ -262,20 +255,20 @@ procedure Vision_C_Tests is
             Assert
               (Scenes.Decode_Grey
                  (Buffer'Address, Encoded (0, 80, Buffer'Length),
-                  Width, Height, Shown.all'Address) = 0, "decode");
+                  Width, Height, Shown'Address) = 0, "decode");
             for Row in Shown'Range (1) loop
                for Column in Shown'Range (2) loop
-                  Least (Row, Column) :=
-                    Octet'Min (Least (Row, Column), Shown (Row, Column));
-                  Most (Row, Column) :=
-                    Octet'Max (Most (Row, Column), Shown (Row, Column));
+                  Light (Row, Column) := Light (Row, Column)
+                    and then Shown (Row, Column) > 150;
+                  Dark (Row, Column) := Dark (Row, Column)
+                    and then Shown (Row, Column) < 60;
                end loop;
             end loop;
          end loop;
          Count := 0;
          for Row in Shown'Range (1) loop
             for Column in Shown'Range (2) loop
-               if Is_Light (Row, Column) then
+               if Light (Row, Column) and then abs (Column - X) > Strip then
                   Count := Count + 1;
                   Left := int'Min (Left, Column);
                   Right := int'Max (Right, Column);
@@ -291,18 +284,15 @@ procedure Vision_C_Tests is
          Assert (Left >= 2 and then Right < Width - 2 and then Top >= 2
                  and then Bottom < Height - 2, "cut by the rim, " & Where);
          Assert ((for all Row in Top - 2 .. Bottom + 2 =>
-                    Is_Dark (Row, Left - 2) and then Is_Dark (Row, Right + 2)),
+                    Dark (Row, Left - 2) and then Dark (Row, Right + 2)),
                  "no plate to the sides, " & Where);
          Assert ((for all Column in Left - 2 .. Right + 2 =>
-                    Is_Dark (Top - 2, Column)
-                    and then Is_Dark (Bottom + 2, Column)),
+                    Dark (Top - 2, Column)
+                    and then Dark (Bottom + 2, Column)),
                  "no plate above and below, " & Where);
          Assert (Left > X + Reach or else Right < X - Reach
                  or else Top > Y + Reach or else Bottom < Y - Reach,
                  "over the marker, " & Where);
-         Free (Least);
-         Free (Most);
-         Free (Shown);
       end Check_At;
 
       procedure Check_Size (Width, Height : int) is
@@ -362,11 +352,11 @@ procedure Vision_C_Tests is
          return Result;
       end Print;
 
-      procedure Expect_Page (First, Side, Most : int; Scale : Positive) is
+      procedure Expect_Page (First, Side, Most, Scale : int) is
          Expected : constant int := int'Min (Most, 1_000 - First);
       begin
          Assert (Print (First, Side) = Ok, "the page");
-         Pictures.Show_Page (Pictures.Contents (Path), Scale);
+         Pictures.Show_Page (Path, Scale);
          Assert (Find_Robots (0, Aruco, null, Robots'Address, Robots'Length,
                               Count'Access) = Ok
                    and then Count = Expected,

@@ -5,7 +5,7 @@ with Ada.Strings.Fixed; use Ada.Strings.Fixed;
 with Interfaces.C;      use Interfaces.C;
 with System;
 
-with Pictures;
+with Pictures; use Pictures;
 with Scenes;
 with Vision_C; use Vision_C;
 with Unit_Runs; use Unit_Runs;
@@ -13,8 +13,6 @@ with Unit_Runs; use Unit_Runs;
 procedure Vision_Jpeg_Tests is
 
    subtype Octet is unsigned_char;
-
-   type Octets is array (Positive range <>) of aliased Octet;
 
    Buffer : Octets (1 .. 1_000_000);
    --  What the monitor would be sent
@@ -31,18 +29,6 @@ procedure Vision_Jpeg_Tests is
    function Load (Jpeg : Octets; Width, Height : int) return Status is
      (Slot_Load_Jpeg (0, Jpeg'Address, Jpeg'Length, Width, Height));
    --  Into slot 0
-
-   function Photograph
-     (Scene : Scenes.Description; Quality : int := 90) return Octets
-   is
-      --  As a camera delivers it
-      Jpeg   : Octets (1 .. 1_000_000);
-      Length : constant int :=
-        Scenes.Jpeg (Scene, Quality, Jpeg'Address, Jpeg'Length);
-   begin
-      Assert (Length > 0, "the scene can be encoded");
-      return Jpeg (1 .. Natural (Length));
-   end Photograph;
 
    procedure Load (Jpeg : Octets) is
       --  For images of its own size, 640 x 480, with success
@@ -103,7 +89,7 @@ procedure Vision_Jpeg_Tests is
 
    procedure Test_Passed is
       Scene : constant Scenes.Description :=
-        Pictures.Scene_With (0, 5, 40.0, 30.0, 10.0);
+        Scene_With (0, 5, 40.0, 30.0, 10.0);
       Field : aliased Arena;
       Count : aliased int;
    begin
@@ -113,7 +99,7 @@ procedure Vision_Jpeg_Tests is
          begin
             Load (Jpeg);
             Assert (Sent (Quality => 1) = Jpeg, "its own bytes");
-            Pictures.Check_Size (0, 640, 480, "size");
+            Check_Size (0, 640, 480, "size");
             if Quality > 3 then
                Assert (Find_Arena (0, Field'Access) = Ok, "arena");
                Assert (Find_Robots (0, Aruco, Field'Access, Room'Address, 8,
@@ -155,14 +141,14 @@ procedure Vision_Jpeg_Tests is
             Jpeg : constant Octets := Photograph (Scene);
          begin
             Load (Jpeg);
-            Pictures.Check_Size (0, To_W, To_H, What & ": size");
+            Check_Size (0, To_W, To_H, What & ": size");
             declare
                Made : constant Octets := Sent;
             begin
                Assert ((Made = Jpeg) = (From_W = To_W and then From_H = To_H),
                        What & ": as it is, or scaled");
                Load (Made);
-               Pictures.Check_Size (0, To_W, To_H, What & ": sent");
+               Check_Size (0, To_W, To_H, What & ": sent");
             end;
          end;
       end Check;
@@ -319,7 +305,7 @@ procedure Vision_Jpeg_Tests is
    procedure Test_Video is
       --  Of six images the third and the fourth have no head any more, once
       --  it is damaged
-      Path  : constant String := Pictures.Temporary ("own.avi");
+      Path  : constant String := Temporary ("own.avi");
       Scene : Scenes.Description := Scenes.Default;
       Found : Natural := 0;
 
@@ -337,7 +323,7 @@ procedure Vision_Jpeg_Tests is
       procedure Check_Each (Whole, What : String) is
          --  Whole images of it
       begin
-         Pictures.Save_Text (Whole, Path);
+         Save_Text (Whole, Path);
          Assert (Open (To_C (Path), 640, 480, 10) = Ok, "open, " & What);
          for Round in 1 .. 9 loop
             Assert (Grab (0) = Ok, "grab" & Round'Image & What);
@@ -346,9 +332,9 @@ procedure Vision_Jpeg_Tests is
       end Check_Each;
    begin
       Scene.Noise := 3.0;
-      Pictures.Save_Video (Scene, 6, 25, Path);
+      Save_Video (Scene, 6, 25, Path);
       declare
-         Whole : String := Pictures.Contents (Path);
+         Whole : String := Contents (Path);
       begin
          Check_Each (Whole, "as it is");
          Assert (Open (To_C (Path), 320, 480, 10) = Ok, "open for less");
@@ -367,7 +353,7 @@ procedure Vision_Jpeg_Tests is
          Check_Each (Whole, "damaged");
          Assert (Close = Ok, "close");
       end;
-      Pictures.Remove (Path);
+      Remove (Path);
    end Test_Video;
 
 begin

@@ -1,5 +1,6 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  The search for robots: accuracy at every heading, number, limits.
+--  The search for robots: accuracy at every heading, number, limits. Faint,
+--  glaring, blotted and narrowly framed markers: rows of tests/vision.
 
 with Ada.Numerics.Long_Elementary_Functions;
 
@@ -162,11 +163,6 @@ procedure Vision_Robot_Tests is
             end loop;
          end loop;
       end loop;
-      for Step in int range 0 .. 27 loop
-         Check_One (Pictures.Scene_With
-                      (0, Step * 37, 40.3, 30.2, double (Step) * 13.0), Aruco,
-                    "identifier" & int'Image (37 * Step));
-      end loop;
    end Test_Resolutions;
 
    procedure Test_Several is
@@ -314,59 +310,9 @@ procedure Vision_Robot_Tests is
               Long_Float (Dy));
    end Marker_At;
 
-   type Disturbance is (Faint, Glare, Dark_Blot, Bright_Blot, Narrow_Margin);
-
-   procedure Test_Disturbed is
-      Kind  : Disturbance;
-      Where : Long_Float;
-      P     : Place;
-
-      function Change (X, Y : Long_Float; Level : Long_Float)
-        return Long_Float
-      is
-         U : constant Long_Float := Along (P, X, Y);
-         V : constant Long_Float := Across (P, X, Y);
-      begin
-         case Kind is
-            when Faint =>
-               --  22 grey levels from black to white
-               return 90.0 + 22.0 * Level / 255.0;
-            when Glare =>
-               --  A streak, two modules wide, over the middle
-               return 0.55 * Level
-                 + 65.0 * Exp (-0.5 * ((U + V) / 1.4) ** 2
-                               - 0.5 * (U / 5.0) ** 2);
-            when Dark_Blot | Bright_Blot =>
-               --  Over a side
-               return
-                 (if (U - 3.0) ** 2 + (V - Where) ** 2 >= 0.6 ** 2
-                  then Level
-                  elsif Kind = Bright_Blot then 230.0 else 30.0);
-            when Narrow_Margin =>
-               --  Cut to 0.4 modules, on a dark robot
-               return (if Long_Float'Max (abs U, abs V) in 3.4 .. 6.0
-                       then 40.0 else Level);
-         end case;
-      end Change;
-
-   begin
-      for Next_Kind in Disturbance loop
-         for Step in 0 .. 11 loop
-            Kind := Next_Kind;
-            P := Marker_At (Step);
-            Where := -1.5 + 3.0 * Long_Float (Step) / 11.0;
-            Pictures.Show_Changed (P.Scene, Change'Access);
-            Assert (Find (Aruco) = Ok and then Count = 1,
-                    Kind'Image & Step'Image & ": found");
-            Check (P.Scene, 0, Kind'Image & Step'Image);
-         end loop;
-      end loop;
-   end Test_Disturbed;
-
    procedure Test_Aslant is
       Scene          : Scenes.Description;
       Cx, Cy, Dx, Dy : double;
-      G, H           : Long_Float;
 
       function Seen (Ahead, Right : double) return Point is
          --  Where what lies so is seen, in lengths of the robot
@@ -374,7 +320,8 @@ procedure Vision_Robot_Tests is
            Cx - 959.5 + Ahead * (Dx - Cx) - Right * (Dy - Cy);
          Y     : constant double :=
            Cy - 539.5 + Ahead * (Dy - Cy) + Right * (Dx - Cx);
-         Depth : constant double := 1.0 + double (G) * X + double (H) * Y;
+         Depth : constant double :=
+           1.0 + Scene.Lean_X * X + Scene.Lean_Y * Y;
       begin
          return (959.5 + X / Depth, 539.5 + Y / Depth);
       end Seen;
@@ -389,9 +336,9 @@ procedure Vision_Robot_Tests is
          Scene.Width := 1_920;
          Scene.Height := 1_080;
          Assert (Scenes.Robot_Truth (Scene, 0, Cx, Cy, Dx, Dy) = 0, "truth");
-         G := 8.0E-4 * Cos (Long_Float (Step));
-         H := 8.0E-4 * Sin (Long_Float (Step));
-         Pictures.Show_Aslant (Scene, G, H);
+         Scene.Lean_X := double (8.0E-4 * Cos (Long_Float (Step)));
+         Scene.Lean_Y := double (8.0E-4 * Sin (Long_Float (Step)));
+         Pictures.Show (Scene);
          Assert (Find (Aruco) = Ok
                  and then Count = 1 and then Found (0).Id = int (83 * Step),
                  "aslant," & Step'Image);
@@ -505,14 +452,13 @@ procedure Vision_Robot_Tests is
 begin
    Run_Test ("every heading", Test_Headings'Access);
    Run_Test ("an upright marker", Test_Upright'Access);
-   Run_Test ("resolutions and identifiers", Test_Resolutions'Access);
+   Run_Test ("resolutions", Test_Resolutions'Access);
    Run_Test ("two robots, and more than fit", Test_Several'Access);
    Run_Test ("the same with and without the arena",
              Test_Positions_In_Arena'Access);
    Run_Test ("outside the arena, strange arenas",
              Test_Outside_Arena'Access);
    Run_Test ("no robot", Test_None'Access);
-   Run_Test ("faint, glare, blots, a narrow margin", Test_Disturbed'Access);
    Run_Test ("seen from close and aslant", Test_Aslant'Access);
    Run_Test ("one of its modules covered", Test_Doubtful'Access);
    Run_Test ("a triangle on something bright, but no set square",
