@@ -3,7 +3,6 @@
 // instead, as this library comes first: for limits that OpenCV 4.6 cannot set,
 // and for causes of failure.
 
-#include "vision_libraries.hpp"
 #include "vision_internal.hpp"
 
 #include <algorithm>

@@ -12,14 +12,10 @@ namespace {
 constexpr int pitch = 8;
 constexpr int extent = 8 * pitch;
 
-// The pixels of a module that are compared, in each direction: half of them,
-// symmetrical to each edge, so that it is not shifted.
-constexpr std::array<int, 4> places{0, 2, 5, 7};
-constexpr int points = 8 * int(places.size());
-constexpr uchar read_only = 1;  // not to be compared, but looked at
-
-constexpr int point(int k) {
-  return k / int(places.size()) * pitch + places[k % places.size()];
+// Whether a row or column of pixels is compared: half of each module's are,
+// symmetrical to its edges, so that it is not shifted.
+constexpr bool is_compared(int k) {
+  return 0b10100101 >> k % pitch & 1;
 }
 
 // Draws what is beyond the margins; levels as for draw.
@@ -77,23 +73,16 @@ bool draw(const cv::Mat &grey, const Map &map, unsigned bits,
   for (int k = 0; k < 64; ++k)
     contrast.val[k] =
         std::max(0.1, (light.white.val[k] - light.black.val[k]) / step);
-  cv::Mat dark, bright, is_bright;
-  cv::Mat((light.black - Grid::all(black)) * (1 / step))
-      .convertTo(dark, CV_32F);
-  cv::Mat((light.white - Grid::all(black)) * (1 / step))
-      .convertTo(bright, CV_32F);
-  cv::Mat(pattern).convertTo(is_bright, CV_8U, 255);
-  const cv::Size size(extent, extent);
-  if (evenly) {
-    bright.copyTo(dark, is_bright);
-    cv::resize(dark, shape, size, 0, 0, cv::INTER_NEAREST);
-  } else {
-    cv::Mat large, mask;
-    cv::resize(dark, shape, size, 0, 0, cv::INTER_LINEAR);
-    cv::resize(bright, large, size, 0, 0, cv::INTER_LINEAR);
-    cv::resize(is_bright, mask, size, 0, 0, cv::INTER_NEAREST);
-    large.copyTo(shape, mask);
-  }
+  const auto enlarged = [&](const Grid &level, int interpolation) {
+    cv::Mat large;
+    cv::resize(cv::Matx<float, 8, 8>(level), large, cv::Size(extent, extent),
+               0, 0, interpolation);
+    return large;
+  };
+  shape = enlarged((light.black - Grid::all(black)) * (1 / step),
+                   cv::INTER_LINEAR);
+  enlarged((light.white - Grid::all(black)) * (1 / step), cv::INTER_LINEAR)
+      .copyTo(shape, enlarged(pattern, cv::INTER_NEAREST) > 0.5);
 
   const auto margin = margins(grey, map, white);
   if (std::any_of(margin.begin(), margin.end(), [&](const Margin &one) {
@@ -104,57 +93,44 @@ bool draw(const cv::Mat &grey, const Map &map, unsigned bits,
   draw_beyond(margin, black, step, shape);
 
   // The outer edge of the quiet zone blurs into its surroundings.
-  constexpr int rim = int(places.size()) / 2;
-  used.create(extent, extent, CV_8UC1);
-  used.setTo(0);
-  for (int y = rim; y < points - rim; ++y)
-    for (int x = rim; x < points - rim; ++x)
-      if (seen(point(y) / pitch, point(x) / pitch) > 0.0)
-        used.at<uchar>(point(y), point(x)) =
-            (x + y) % 2 == 0 ? compared : read_only;
+  constexpr int rim = 5;
+  used = cv::Mat::zeros(extent, extent, CV_8UC1);
+  for (int y = rim; y < extent - rim; ++y)
+    for (int x = rim; x < extent - rim; ++x)
+      if (is_compared(y) && is_compared(x) &&
+          seen(y / pitch, x / pitch) > 0.0)
+        used.at<uchar>(y, x) = compared;
   return true;
 }
 
 // For each module, the share of its contrast in the drawing that indicates the
 // opposite colour: above a half, that fits better.
-Grid doubts(const cv::Mat &grey, unsigned bits, const cv::Mat &used,
-                    const Grid &contrast, const Fit &fit) {
-  // The residual, and the contribution of a module to the pixels near it.
-  cv::Matx<double, points, points> rest;
-  const cv::Matx33f map = fit.map;
-  for (int y = 0; y < points; ++y)
-    for (int x = 0; x < points; x += 4) {
-      Four right{float(point(x)), float(point(x + 1)), float(point(x + 2)),
-                 float(point(x + 3))};
-      Four down = Four{} + float(point(y));
-      move(map, right, down);
-      const Four seen = sample(grey, right, down);
-      for (int k = 0; k < 4; ++k)
-        if (used.at<uchar>(point(y), point(x + k)) &&
-            in_image(grey, Point(right[k], down[k])))
-          rest(y, x + k) = (seen[k] - fit.offset) / fit.contrast -
-                           fit.shape.at<float>(point(y), point(x + k));
-    }
-  constexpr int per_module = int(places.size());
-  constexpr int around = 3 * per_module;
-  cv::Matx<double, points, 6> profile;  // of each module in a row or column
+Grid doubts(unsigned bits, const Grid &contrast, const Fit &fit) {
+  // What a module contributes to a row or column of pixels, from a module
+  // before it to one after: a blurred square.
+  std::array<double, 3 * pitch> part;
   const double width = std::sqrt(2.0) * std::max(0.1, fit.spread);
-  double square = 0.0;  // of what a module gives
-  for (int k = 0; k < around; ++k) {
-    const double from = point(k) + 0.5 - pitch;  // the edge before it
-    const double value = 0.5 * (std::erf(from / width) -
-                                std::erf((from - pitch) / width));
-    for (int module = 0; module < 6; ++module)
-      profile(module * per_module + k, module) = value;
-    square += value * value;
+  double squares = 0.0;
+  for (int k = 0; k < 3 * pitch; ++k) {
+    const double inside = k + 0.5 - pitch;
+    part[k] = 0.5 * (std::erf(inside / width) -
+                     std::erf((inside - pitch) / width));
+    squares += is_compared(k) * part[k] * part[k];
   }
-  const cv::Matx<double, 6, 6> along = profile.t() * rest * profile;
+  const double whole = squares * squares;
   Grid doubt;
+  for (const Fit::Rest &rest : fit.rest) {
+    const int y = rest.at.y, x = rest.at.x;
+    for (int row = y / pitch - 1; row <= y / pitch + 1; ++row)
+      for (int column = x / pitch - 1; column <= x / pitch + 1; ++column)
+        if (ring_of(row, column) > 0)
+          doubt(row, column) += part[y - (row - 1) * pitch] *
+                                part[x - (column - 1) * pitch] * rest.share;
+  }
   for (int row = 1; row < 7; ++row)
     for (int column = 1; column < 7; ++column)
-      doubt(row, column) = (is_white(bits, row, column) ? -1 : 1) *
-                           along(row - 1, column - 1) /
-                           (square * square * contrast(row, column));
+      doubt(row, column) *= (is_white(bits, row, column) ? -1 : 1) /
+                            (whole * contrast(row, column));
   return doubt;
 }
 
@@ -203,6 +179,8 @@ Quad reduced(const Quad &quad, double scale) {
   return result;
 }
 
+constexpr Side outline{1.0, 0.12};  // black within white
+
 // Whether it can be a marker's outline.
 bool is_sound(const Quad &quad) {
   double shortest = 1e9, longest = 0.0;
@@ -248,7 +226,7 @@ bool align_marker(const cv::Mat &grey, unsigned bits,
   const double worst =
       size_of(start) > small && has_spot(modules) ? 0.075 : 0.15;
   if (!align(grey, shape, used, perspective, worst, fit) ||
-      !is_certain(bits, doubts(grey, bits, used, contrast, fit)))
+      !is_certain(bits, doubts(bits, contrast, fit)))
     return false;
   for (int k = 0; k < 4; ++k)
     corner[k] = apply(fit.map, reference[k]);
@@ -259,74 +237,21 @@ bool align_marker(const cv::Mat &grey, unsigned bits,
 // Quick test with rough positions: a candidate is darker at its border than
 // somewhere inside.
 bool is_worth_it(const Grid &modules) {
-  double brightest = 0.0, darkest = 255.0;
+  double brightest = 0.0;
+  std::vector<double> border;
   for (int row = 1; row < 7; ++row)
-    for (int column = 1; column < 7; ++column) {
+    for (int column = 1; column < 7; ++column)
       if (ring_of(row, column) == 1)
-        darkest = std::min(darkest, modules(row, column));
+        border.push_back(modules(row, column));
       else
         brightest = std::max(brightest, modules(row, column));
-    }
-  const double middle = (brightest + darkest) / 2;
-  int dark = 0;
-  for (const auto &module : border_modules())
-    dark += modules(module[0], module[1]) < middle;
-  return brightest > darkest + 0.8 * least_contrast && dark >= 13;
+  std::sort(border.begin(), border.end());
+  return brightest > border[0] + 0.8 * least_contrast &&
+         border[12] < (brightest + border[0]) / 2;
 }
 
 // Pixels per side: pictograms in a box of 8 pixels were read as markers.
 constexpr double least_size = 9.0;
-
-// Reads the marker with its outline near HERE in an image reduced by SCALE:
-// GREY, and SMOOTH for its edges, at most SHARE of a module away. CORNERS are
-// in pixels of the original image.
-bool read_marker(const cv::Mat &grey, const cv::Mat &smooth, double scale,
-                 double module, double share, Quad here, double &blur,
-                 Quad &corner, int &id) {
-  Quad refined = here;
-  if (refine(smooth, refined.data(), 4, Bright::outside,
-             std::max(2.0, share * module / scale), 0.12))
-    here = refined;
-  const Grid seen =
-      read_modules(grey, map_of(six_by_six, here), module / scale);
-  std::array<unsigned, 3> tried;
-  int tries = 0;
-  for (int k = 0; k < 3; ++k) {
-    unsigned bits = 0;
-    const bool done =
-        k == 0   ? read_evenly(seen, bits)
-        : k == 1 ? module < 5.0 && read_unmixed(seen, bits)
-                 : read_unevenly(seen, bits);
-    if (!done || !dictionary().knows(bits) ||
-        std::find(tried.begin(), tried.begin() + tries, bits) !=
-            tried.begin() + tries)
-      continue;
-    tried[tries++] = bits;
-    // Even illumination, or shadows and glare
-    Quad aligned = here;
-    if (!align_marker(grey, bits, seen, module > 2.5, true, aligned, blur) &&
-        (module < 3.5 ||
-         !align_marker(grey, bits, seen, true, false, aligned, blur)))
-      continue;
-    aligned = reduced(aligned, 1 / scale);
-    if (!is_sound(aligned) || size_of(aligned) < least_size)
-      continue;
-    corner = aligned;
-    // A cover on part of the outline is not near it now. The outline is more
-    // precise in a sharp image; its errors are not those of the bits.
-    if (module > 3.5 &&
-        refine(scratch.smooth, aligned.data(), 4, Bright::outside,
-               std::min(std::max(1.5, 0.25 * module), 4.0), 0.12))
-      for (int n = 0; n < 4; ++n)
-        corner[n] = blur < 1.2 ? aligned[n] : (corner[n] + aligned[n]) / 2;
-    id = dictionary().id(bits);
-    // Rotates the corners so that the first is the marker's top left.
-    std::rotate(corner.begin(), corner.begin() + dictionary().turns(bits),
-                corner.end());
-    return true;
-  }
-  return false;
-}
 
 // Reads the marker with its outline near CORNER, which is set to its exact
 // position, its own top left corner first; BLUR as for the alignment. False if
@@ -340,17 +265,57 @@ bool find_marker(Quad &corner, int &id, double &blur) {
   const double scale = 1 << level;
   const cv::Mat &smooth = scratch.level[level];
   const cv::Mat &grey = module > 4.0 ? smooth : scratch.grey;
-
-  Quad here = reduced(corner, scale);
-  if (!is_worth_it(read_modules(grey, map_of(six_by_six, here),
-                                module / scale)))
+  const auto look = [&](const Quad &quad) {
+    return read_modules(grey, map_of(six_by_six, quad), module / scale);
+  };
+  const Quad rough = reduced(corner, scale);
+  if (!is_worth_it(look(rough)))
     return false;
   // Near edges first: edges of something brighter may follow. If a corner is
   // covered, the outline is further away.
-  return read_marker(grey, smooth, scale, module, 0.45, here, blur, corner,
-                     id) ||
-         (module > 3.0 && read_marker(grey, smooth, scale, module, 0.75, here,
-                                      blur, corner, id));
+  for (const double share : {0.45, 0.75}) {
+    if (share > 0.5 && module <= 3.0)
+      break;
+    Quad here = rough;
+    if (!refine(smooth, here.data(), 4, outline,
+                std::max(2.0, share * module / scale)))
+      here = rough;
+    const Grid seen = look(here);
+    std::vector<unsigned> tried;
+    for (const auto read : {read_evenly, read_unmixed, read_unevenly}) {
+      unsigned bits = 0;
+      if ((read == read_unmixed && module >= 5.0) || !read(seen, bits) ||
+          !dictionary().knows(bits) ||
+          std::find(tried.begin(), tried.end(), bits) != tried.end())
+        continue;
+      tried.push_back(bits);
+      // Even illumination, or shadows and glare
+      Quad aligned = here;
+      if (!align_marker(grey, bits, seen, module > 2.5, true, aligned,
+                        blur) &&
+          (module < 3.5 ||
+           !align_marker(grey, bits, seen, true, false, aligned, blur)))
+        continue;
+      aligned = reduced(aligned, 1 / scale);
+      if (!is_sound(aligned) || size_of(aligned) < least_size)
+        continue;
+      corner = aligned;
+      // A cover on part of the outline is not near it now. The outline is more
+      // precise in a sharp image; its errors are not those of the bits.
+      if (module > 3.5 &&
+          refine(scratch.smooth, aligned.data(), 4, outline,
+                 std::min(std::max(1.5, 0.25 * module), 4.0)))
+        for (int n = 0; n < 4; ++n)
+          corner[n] =
+              blur < 1.2 ? aligned[n] : (corner[n] + aligned[n]) / 2;
+      id = dictionary().id(bits);
+      // Rotates the corners so that the first is the marker's top left.
+      std::rotate(corner.begin(), corner.begin() + dictionary().turns(bits),
+                  corner.end());
+      return true;
+    }
+  }
+  return false;
 }
 
 }  // namespace
@@ -412,8 +377,13 @@ void find_markers(Search &search, std::vector<vision_robot> &robots) {
     const int darker = pass > 0 ? 4 : pass == 0 ? 2 : 5;  // grey levels
     if (level > 0 && std::min(image.cols, image.rows) < enough + window)
       continue;
+    if (pass >= 0) {
+      cv::blur(image, scratch.darker, cv::Size(window, window),
+               cv::Point(-1, -1), cv::BORDER_REPLICATE);
+      cv::subtract(scratch.darker, image, scratch.darker);
+    }
     quads.clear();
-    find_quads(image, window, darker, 1 << level, quads);
+    find_quads(darker, 1 << level, quads);
     for (Quad &corner : quads)
       if (level == 0 || size_of(corner) >= enough * (1 << level))
         read(corner);

@@ -28,85 +28,6 @@ Grid unmix(const Grid &seen, double share) {
   return now;
 }
 
-// Compares markers by differences: illumination is nearly equal for adjacent
-// modules. Of the 36 modules, each one's difference from the mean around it is
-// compared.
-class Differences {
-public:
-  Differences() {
-    constexpr double spread = 1.0;  // modules
-    cv::Matx<double, 36, 36> left;
-    for (int i = 0; i < 36; ++i) {
-      double total = 0.0;
-      for (int k = 0; k < 36; ++k)
-        total += near(i, k, spread);
-      for (int k = 0; k < 36; ++k)
-        left(i, k) = (i == k) - near(i, k, spread) / total;
-    }
-    product = left.t() * left;
-    for (const unsigned bits : dictionary().words()) {
-      double sum = 0.0;
-      for (int i = 0; i < 16; ++i)
-        for (int k = 0; k < 16; ++k)
-          if (bits >> i & bits >> k & 1u)
-            sum += product(inner(i), inner(k));
-      length_of.push_back(std::sqrt(sum));
-    }
-  }
-
-  // The marker most similar to MODULES. False if there is none, or another one
-  // is nearly as similar.
-  bool read(const Grid &modules, unsigned &bits) const {
-    constexpr double like = 0.75;   // the cosine between both, at least
-    constexpr double apart = 0.75;  // its sine, as a share of the next one's
-    cv::Matx<double, 36, 1> seen;
-    for (int k = 0; k < 36; ++k)
-      seen(k) = modules(1 + k / 6, 1 + k % 6);
-    const cv::Matx<double, 36, 1> rest = product * seen;
-    const double square = rest.dot(seen);
-    if (square < 1.0)
-      return false;
-    std::array<std::array<double, 256>, 2> part;
-    for (int half = 0; half < 2; ++half) {
-      part[half][0] = 0.0;
-      for (unsigned byte = 1; byte < 256; ++byte) {
-        int lowest = 0;
-        while (!(byte >> lowest & 1u))
-          ++lowest;
-        part[half][byte] = part[half][byte & (byte - 1)] +
-                           rest(inner(8 * half + lowest));
-      }
-    }
-    double best = 0.0, next = 0.0;
-    const std::vector<unsigned> &words = dictionary().words();
-    for (std::size_t k = 0; k < words.size(); ++k) {
-      const double cosine =
-          (part[0][words[k] & 255u] + part[1][words[k] >> 8]) / length_of[k];
-      if (cosine > best) {
-        next = best;
-        best = cosine;
-        bits = words[k];
-      } else {
-        next = std::max(next, cosine);
-      }
-    }
-    return best * best > like * like * square &&
-           square - best * best <= apart * apart * (square - next * next);
-  }
-
-private:
-  cv::Matx<double, 36, 36> product;
-  std::vector<double> length_of;
-
-  // The index among the 36 modules of the one with this bit.
-  static int inner(int bit) { return 7 + bit / 4 * 6 + bit % 4; }
-
-  static double near(int i, int k, double spread) {
-    const double x = i % 6 - k % 6, y = i / 6 - k / 6;
-    return std::exp(-0.5 * (x * x + y * y) / (spread * spread));
-  }
-};
-
 // The weights of modules along a row or column, by their distance.
 Grid nearness(double spread) {
   Grid weight;
@@ -180,32 +101,16 @@ Grid read_modules(const cv::Mat &grey, const Map &map, double module) {
   return modules;
 }
 
-const std::array<std::array<int, 2>, 20> &border_modules() {
-  static const auto modules = [] {
-    std::array<std::array<int, 2>, 20> all;
-    for (int k = 0; k < 5; ++k) {
-      all[k] = {1, 1 + k};
-      all[5 + k] = {1 + k, 6};
-      all[10 + k] = {6, 6 - k};
-      all[15 + k] = {6 - k, 1};
-    }
-    return all;
-  }();
-  return modules;
-}
-
 bool is_border(const Grid &black) {
   constexpr int most_hidden = 4;
-  const auto &modules = border_modules();
-  const auto is_black = [&](int k) {
-    const auto &module = modules[k % 20];
-    return black(module[0], module[1]) > 0.0;
-  };
-  int longest = 0;
-  for (int from = 0; from < 20; ++from) {
-    int run = 0;
-    while (run < 20 && is_black(from + run))
-      ++run;
+  int run = 0, longest = 0;
+  for (int k = 0; k < 40; ++k) {  // twice around
+    const int side = k / 5 % 4, from = 1 + k % 5, to = 7 - from;
+    const double here = side == 0   ? black(1, from)
+                        : side == 1 ? black(from, 6)
+                        : side == 2 ? black(6, to)
+                                    : black(to, 1);
+    run = here > 0.0 ? run + 1 : 0;
     longest = std::max(longest, run);
   }
   return longest >= 20 - most_hidden;
@@ -213,31 +118,19 @@ bool is_border(const Grid &black) {
 
 // The threshold that separates the levels best (Otsu 1979).
 bool read_evenly(const Grid &modules, unsigned &bits) {
-  std::array<double, 36> level;
-  for (int k = 0; k < 36; ++k)
-    level[k] = modules(1 + k / 6, 1 + k % 6);
-  std::sort(level.begin(), level.end());
-  double total = 0.0, below = 0.0, best = -1.0, threshold = 0.0;
-  for (const double grey : level)
-    total += grey;
-  for (int k = 1; k < 36; ++k) {
-    below += level[k - 1];
-    const double apart = (total - below) / (36 - k) - below / k;
-    if (k >= 18 && apart * apart * k * (36 - k) > best) {
-      best = apart * apart * k * (36 - k);
-      threshold = (level[k - 1] + level[k]) / 2;
-      if (apart < least_contrast)
-        best = -1.0;
-    }
-  }
-  if (best < 0.0)
+  cv::Mat level, white;
+  const cv::Mat all(modules);
+  all(cv::Rect(1, 1, 6, 6)).convertTo(level, CV_8U);
+  cv::threshold(level, white, 0, 255, cv::THRESH_OTSU);
+  if (cv::mean(level, white)[0] - cv::mean(level, ~white)[0] < least_contrast)
     return false;
   Grid black;
   bits = 0;
   for (int row = 1; row < 7; ++row)
     for (int column = 1; column < 7; ++column) {
-      black(row, column) = modules(row, column) <= threshold;
-      if (ring_of(row, column) > 1 && modules(row, column) > threshold)
+      const bool is_bright = white.at<uchar>(row - 1, column - 1) != 0;
+      black(row, column) = !is_bright;
+      if (ring_of(row, column) > 1 && is_bright)
         bits |= 1u << bit_of(row, column);
     }
   return is_border(black);
@@ -247,9 +140,60 @@ bool read_unmixed(const Grid &modules, unsigned &bits) {
   return read_evenly(unmix(modules, 0.15), bits);
 }
 
+// Compares by differences: illumination is nearly equal for adjacent modules.
+// Of the 36 modules, each one's difference from the mean around it is
+// compared. The result is the most similar marker; none, if another one is
+// nearly as similar.
 bool read_unevenly(const Grid &modules, unsigned &bits) {
-  static const Differences differences;
-  return differences.read(modules, bits);
+  constexpr double like = 0.75;   // the cosine between both, at least
+  constexpr double apart = 0.75;  // its sine, as a share of the next one's
+  static const std::vector<unsigned> &words = dictionary().words();
+  static const Grid near = nearness(1.0), own = [] {
+    Grid inside;
+    for (int k = 0; k < 36; ++k)
+      inside(1 + k / 6, 1 + k % 6) = 1.0;
+    return inside;
+  }(), total = near * own * near;
+  const auto differences = [](const Grid &level) -> Grid {
+    return (level - (near * level.mul(own) * near).div(total)).mul(own);
+  };
+  static const std::vector<double> shares = [&] {  // 1 / length, of each ID
+    std::vector<double> all;
+    for (std::size_t k = 0; k < words.size(); k += 4) {
+      Grid white;
+      for (int bit = 0; bit < 16; ++bit)
+        white(2 + bit / 4, 2 + bit % 4) = words[k] >> bit & 1u;
+      all.push_back(1 / cv::norm(differences(white)));
+    }
+    return all;
+  }();
+  const Grid seen = differences(modules);
+  const double square = seen.dot(seen);
+  if (square < 1.0)
+    return false;
+  // What a white module adds to the product of both; and those of a byte
+  const Grid gain = seen - (near * seen.div(total) * near).mul(own);
+  std::array<std::array<double, 256>, 2> part{};
+  for (int half = 0; half < 2; ++half)
+    for (unsigned byte = 1; byte < 256; ++byte) {
+      const int bit = 8 * half + __builtin_ctz(byte);
+      part[half][byte] = part[half][byte & (byte - 1)] +
+                         gain(2 + bit / 4, 2 + bit % 4);
+    }
+  double best = 0.0, next = 0.0;
+  for (std::size_t k = 0; k < words.size(); ++k) {
+    const double cosine =
+        (part[0][words[k] & 255u] + part[1][words[k] >> 8]) * shares[k / 4];
+    if (cosine > best) {
+      next = best;
+      best = cosine;
+      bits = words[k];
+    } else {
+      next = std::max(next, cosine);
+    }
+  }
+  return best * best > like * like * square &&
+         square - best * best <= apart * apart * (square - next * next);
 }
 
 Levels light_far(const Grid &bright, const Grid &modules, const Grid &seen,
@@ -305,22 +249,20 @@ std::array<Margin, 4> margins(const cv::Mat &grey, const Map &map,
   constexpr int steps = 16, along = 12;
   constexpr double from = -0.5, to = 1.5, step = (to - from) / steps;
   std::array<Margin, 4> margin;
-  const cv::Matx33f single = map;
   for (int side = 0; side < 4; ++side) {
-    std::array<double, steps + 1> level;
-    for (int k = 0; k <= steps; ++k) {
-      const double away = from + k * step;
-      Four sum{};
-      for (int n = 0; n < along; n += 4) {
-        Four x = (Four{0, 1, 2, 3} + (float(n) + 0.5f)) * (6.0f / along);
-        Four y = Four{} + float(side % 3 == 0 ? -away : 6.0 + away);
-        if (side % 2 == 1)
-          std::swap(x, y);
-        move(single, x, y);
-        sum += sample(grey, x, y);
-      }
-      level[k] = (sum[0] + sum[1] + sum[2] + sum[3]) / along;
-    }
+    // The places beside the side, and one module further out.
+    const auto beside = [&](double part, double away) {
+      const double out = side % 3 == 0 ? -away : 6.0 + away;
+      const double place = 6.0 * part;
+      return apply(map, side % 2 == 0 ? Point(place, out)
+                                      : Point(out, place));
+    };
+    std::array<float, steps + 4> level;
+    const double half = 0.5 / along;
+    profile(grey, beside(half, from),
+            (beside(0.5, to) - beside(0.5, from)) / steps, steps + 1,
+            (beside(1.0, from) - beside(0.0, from)) / along, along,
+            level.data());
     const double beyond = (level[steps] + level[steps - 1]) / 2;
     const double bright = white - beyond;
     double light = -from * (beyond - level[0]);  // over that beyond

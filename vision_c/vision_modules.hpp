@@ -53,9 +53,6 @@ private:
 
 const Dictionary &dictionary();
 
-// The modules of the border, in sequence.
-const std::array<std::array<int, 2>, 20> &border_modules();
-
 // Whether the border is black, except for one place that may be covered:
 // otherwise it is no marker.
 bool is_border(const Grid &black);

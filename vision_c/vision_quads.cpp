@@ -33,28 +33,24 @@ bool find_polygon(const std::vector<cv::Point> &outline, double tolerance,
 
 }  // namespace
 
-void find_quads(const cv::Mat &image, int window, int darker, int scale,
-                std::vector<Quad> &quads) {
+void find_quads(int darker, int scale, std::vector<Quad> &quads) {
   std::vector<std::vector<cv::Point>> contours;
   static thread_local std::vector<cv::Point> polygon, hull;
-  cv::blur(image, scratch.darker, cv::Size(window, window),
-           cv::Point(-1, -1), cv::BORDER_REPLICATE);
-  cv::subtract(scratch.darker, image, scratch.darker);
   cv::threshold(scratch.darker, scratch.mask, darker - 1, 255,
                 cv::THRESH_BINARY);
   // A threshold this low mostly finds noise or grain.
   if (darker < grain &&
-      cv::countNonZero(scratch.mask) > crowded * double(image.total()))
+      cv::countNonZero(scratch.mask) > crowded * double(scratch.mask.total()))
     cv::threshold(scratch.darker, scratch.mask, grain - 1, 255,
                   cv::THRESH_BINARY);
   // Removes specks, whose outlines would take most of the search. The border
   // of the smallest marker has ten pixels in such a square at its corners.
-  cv::blur(scratch.mask, scratch.darker, cv::Size(around, around),
+  cv::blur(scratch.mask, scratch.near, cv::Size(around, around),
            cv::Point(-1, -1), cv::BORDER_REPLICATE);
-  cv::threshold(scratch.darker, scratch.darker,
+  cv::threshold(scratch.near, scratch.near,
                 255 * company / (around * around) - 1, 255,
                 cv::THRESH_BINARY);
-  cv::bitwise_and(scratch.mask, scratch.darker, scratch.mask);
+  cv::bitwise_and(scratch.mask, scratch.near, scratch.mask);
   cv::findContours(scratch.mask, contours, cv::RETR_LIST,
                    cv::CHAIN_APPROX_SIMPLE);
   for (const std::vector<cv::Point> &contour : contours) {

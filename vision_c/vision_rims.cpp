@@ -27,15 +27,12 @@ struct Edge {
   double inside = 0.0;    // grey level of the field
   bool clipped = false;   // the border is as bright as the image gets
   std::array<double, 5> pull;
-
-  int unknown(int n) const {
-    return n < 2 ? 2 * side + n : n < 4 ? (2 * side + n) % 8 : 8;
-  }
+  std::array<int, 5> unknown;  // of each
 
   double rest(const Vector &change) const {
     double sum = away;
     for (int n = 0; n < 5; ++n)
-      sum -= pull[n] * change[unknown(n)];
+      sum -= pull[n] * change[unknown[n]];
     return sum;
   }
 };
@@ -156,6 +153,8 @@ void find_edges(const cv::Mat &grey, const Outline &outline, double reach,
       edge.contrast = value[top] - value[foot];
       edge.clipped = value[top] >= clipped;
       edge.pull = place.pull;
+      edge.unknown = {2 * side, 2 * side + 1, (2 * side + 2) % 8,
+                      (2 * side + 3) % 8, 8};
       ++edges.count;
       ++edges.found[side];
     }
@@ -178,9 +177,9 @@ bool move_onto(const Edges &edges, double width, double unit,
       const double share = 1.0 / (1.0 + rest * rest / (scale * scale));
       for (int i = 0; i < 5; ++i) {
         const double pull = share * edge.pull[i];
-        right[edge.unknown(i)] += pull * edge.away;
+        right[edge.unknown[i]] += pull * edge.away;
         for (int j = 0; j < 5; ++j)
-          left(edge.unknown(i), edge.unknown(j)) += pull * edge.pull[j];
+          left(edge.unknown[i], edge.unknown[j]) += pull * edge.pull[j];
       }
     }
     // Undetermined parameters stay: the lens, for a small field.

@@ -13,10 +13,6 @@ namespace vision {
 // of the longest image side; straight lines remain straight. Division model of
 // radial distortion: an undistorted point is its image / (1 + BEND * square of
 // its distance from the centre).
-inline Point straighten(const Point &shown, double bend) {
-  return shown / (1.0 + bend * shown.dot(shown));
-}
-
 inline Point distort(const Point &straight, double bend) {
   const double inner = 1.0 - 4.0 * bend * straight.dot(straight);
   return straight * (2.0 / (1.0 + std::sqrt(std::max(inner, 1e-2))));

@@ -25,7 +25,8 @@ constexpr int levels = 4;
 
 // Temporary images of a search.
 struct Scratch {
-  cv::Mat grey, smooth, small, gradient, gradient_down, mask, tiles, darker;
+  cv::Mat grey, smooth, small, gradient, gradient_down, mask, tiles, darker,
+      near;
   std::array<cv::Mat, levels> level;  // the first is smooth itself
 };
 
@@ -39,19 +40,6 @@ inline double cross(const Point &a, const Point &b) {
 
 inline double length(const Point &a) {
   return std::sqrt(a.dot(a));
-}
-
-struct Line {
-  Point through, along;  // ALONG has length 1
-};
-
-inline bool intersect(const Line &a, const Line &b, Point &point) {
-  const double sine = cross(a.along, b.along);
-  if (std::fabs(sine) < 0.05)
-    return false;
-  point = a.through +
-          a.along * (cross(b.through - a.through, b.along) / sine);
-  return true;
 }
 
 // A projective map between two planes.
@@ -169,22 +157,29 @@ inline bool in_image(const cv::Mat &grey, const Point &at) {
 
 // ------------------------------------------------- Refinement and alignment
 
-// The brighter side of an outline.
-enum class Bright { outside, inside };
+// A side of an outline.
+struct Side {
+  double rises;  // outwards the image gets brighter (1) or darker (-1)
+  double end;    // share of it that is left out at each end
+};
 
 // Moves the corners of a convex polygon, clockwise in the image, so that its
-// sides lie on image edges at most REACH pixels away; the share END of a side
-// is omitted at each end. False if a side has no edge.
-bool refine(const cv::Mat &grey, Point *corner, int count, Bright bright,
-            double reach, double end);
+// sides lie on image edges at most REACH pixels away. False if a side has no
+// edge.
+bool refine(const cv::Mat &grey, Point *corner, int count, const Side &side,
+            double reach);
 
 // Position of a drawn shape in the image.
 struct Fit {
   Map map;                // from the pixels of the shape to those of the image
-  cv::Mat shape;          // drawn as blurred as the image shows it
-  double spread = 0.0;    // of that blur, pixels of the shape
+  double spread = 0.0;    // of the image's blur, pixels of the shape
   double offset = 0.0, contrast = 0.0;  // grey levels of the shape's 0, 0 to 1
   double distance = 0.0;  // what remains, as a share of the contrast
+  struct Rest {
+    cv::Point at;
+    double share;
+  };
+  std::vector<Rest> rest;  // the same of each pixel that was compared
 };
 
 constexpr uchar compared = 255;  // a pixel of a shape
@@ -200,10 +195,9 @@ bool align(const cv::Mat &grey, const cv::Mat &shape, const cv::Mat &used,
 // ------------------------------------------------------------ Quadrilaterals
 
 // Adds the outlines of quadrilaterals in an image reduced by SCALE, in pixels
-// of the original: regions that are DARKER grey levels darker than the mean of
-// a WINDOW around them.
-void find_quads(const cv::Mat &image, int window, int darker, int scale,
-                std::vector<Quad> &quads);
+// of the original: regions that are at least DARKER grey levels darker than
+// their surroundings, by scratch.darker.
+void find_quads(int darker, int scale, std::vector<Quad> &quads);
 
 // ------------------------------------------------------------------ Robots
 

@@ -2,7 +2,6 @@
 // The source of images: a camera, a file, a URL or a GStreamer pipeline.
 
 #include "vision_internal.hpp"
-#include "vision_libraries.hpp"
 
 #include <cctype>
 #include <chrono>

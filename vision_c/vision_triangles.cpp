@@ -114,8 +114,7 @@ bool find_triangle(const std::vector<cv::Point> &contour,
                    std::array<Point, 3> &corner) {
   static const Triangle drawn;
   return find_corners(contour, corner) && order_triangle(corner) &&
-         refine(scratch.smooth, corner.data(), 3, Bright::inside, 4.0,
-                0.15) &&
+         refine(scratch.smooth, corner.data(), 3, {-1.0, 0.15}, 4.0) &&
          order_triangle(corner) && drawn.align(corner) &&
          drawn.is_seen_as(corner);
 }
