@@ -17,10 +17,10 @@ package Bench_Settings is
    As_Service : Boolean := False;
    --  the supervisor runs as its unit runs it, in the sections that can
 
-   Only_Checked : Boolean := False;
-   --  deadlines end to end alone, and the program fails if one is missed
-
    Trace_File : Unbounded_String;
-   --  whose responses are asked for, "" for one that is made
+   --  whose responses are asked for, "" for some that are made
+
+   Folder : Unbounded_String := To_Unbounded_String ("/tmp");
+   --  where these are left
 
 end Bench_Settings;

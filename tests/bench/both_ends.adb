@@ -160,7 +160,7 @@ package body Both_Ends is
       Time := Now;
       if Last <= 0 then
          Disconnect (Where);
-         S.Messages.Append (Event'(Time, Time, To_Unbounded_String (Gone)));
+         S.Messages.Append (Event'(Time, Time, To_Unbounded_String ("gone")));
          return;
       end if;
       if not S.By_Lines then

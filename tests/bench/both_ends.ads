@@ -37,10 +37,8 @@ package Both_Ends is
    --  Commands to the robot, without checksum and end
 
    function Messages (Where : Place) return Event_Vectors.Vector;
-   --  To the monitor, their labels only; Gone where the other end has closed
+   --  To the monitor, their labels only; "gone" where the other end has closed
    --  the connection
-
-   Gone : constant String := "gone";
 
    procedure Forget (Where : Place);
    --  Frames and messages so far

@@ -2,7 +2,6 @@
 --  The loads, and how the supervisor is started for them.
 
 with Ada.Numerics.Float_Random; use Ada.Numerics.Float_Random;
-with Ada.Strings.Fixed; use Ada.Strings.Fixed;
 with Ada.Strings.Unbounded; use Ada.Strings.Unbounded;
 
 with Bench_Settings;
@@ -16,21 +15,8 @@ with Own_Process;
 with Plain_Numbers; use Plain_Numbers;
 with Programs;
 with Reports;
-with Supervisors;
 
 package body Loads is
-
-   function Deadlines (Of_Supervisor : Supervisors.Supervisor) return String is
-      --  What its log says of them
-      Label : constant String := "deadlines: ";
-      Log   : constant String :=
-        (if Of_Supervisor.Says (Label, Patience)
-         then Of_Supervisor.Text else "");
-      First : constant Natural := Index (Log, Label) + Label'Length;
-   begin
-      Check (Log /= "", "the supervisor says nothing of its deadlines");
-      return Log (First .. Index (Log, (1 => ASCII.LF), First) - 1);
-   end Deadlines;
 
    function Launcher return String is
       Raised : constant String := "prlimit --memlock=unlimited:unlimited";
@@ -58,14 +44,10 @@ package body Loads is
            (if As_Service then Programs.Copied_Supervisor else ""),
          Connected => Connected);
       if As_Service then
-         declare
-            Text : constant String := Deadlines (R.Supervisor);
-         begin
-            Reports.Put_Note
-              ("as the service; its deadlines, it says: " & Text);
-            Check
-              (Index (Text, "as analysed") = Text'First, "deadlines: " & Text);
-         end;
+         Check (R.Supervisor.Says ("deadlines: as analysed", Patience),
+                R.Supervisor.Text);
+         Reports.Put_Note ("as the service; its deadlines, it says, are as"
+                           & " analysed");
       end if;
    end Assemble;
 
@@ -186,10 +168,8 @@ package body Loads is
          Wrong := Wrong + Boolean'Pos (not As_Meant);
          exit when Now - Start >= For_Time;
       end loop;
-      Reports.Put_Number ("missions", Float (Count), "");
-      Reports.Put_Number
-        ("missions that did not end as meant", Float (Wrong), "",
-         Wanted => (1 => (Reports.Value, 0.0)));
+      Reports.Put_Number ("missions", Float (Count));
+      Reports.Put_Number ("missions that did not end as meant", Float (Wrong));
    end Drive_Missions;
 
    procedure Carry_Out

@@ -14,9 +14,8 @@ package Loads is
       Emulator_Options   : String  := "";
       Supervisor_Options : String  := "";
       Connected          : Boolean := True);
-   --  With the arena's camera. Under --service as the service; puts what the
-   --  supervisor says of its deadlines into the report, and raises Failed
-   --  unless they are as analysed
+   --  With the arena's camera. Under --service as the service; raises Failed
+   --  unless it says that its deadlines are as analysed
 
    procedure Carry_Out
      (R        : in out Rig;

@@ -10,8 +10,11 @@ fails if the page is not what they make."""
 
 import difflib
 import json
+import os
+import platform
 import re
 import sys
+import time
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 from functools import partial
@@ -28,9 +31,49 @@ MACHINE = {"machine": ("run", "user"), "hour-machine": ("hour",)}
 
 Row = dict[str, Any]
 
+WAY = "image to its order's first byte"
+#  A row: the way of an image to the order of a mission
+
 
 class Wrong(Exception):
     """What results or page lack."""
+
+
+def machine() -> dict[str, str]:
+    """What the results are of."""
+
+    def line(path: str, part: str = "") -> str:
+        try:
+            text = Path(path).read_text(encoding="utf-8", errors="replace")
+        except OSError:
+            return ""
+        return next((one for one in text.rstrip("\0").splitlines() if part in one), "")
+
+    processors = "/sys/devices/system/cpu"
+    board = line("/sys/firmware/devicetree/base/model")
+    model = line("/proc/cpuinfo", "model name").partition(":")[2].strip()
+    virtual = ", virtual" if line("/proc/cpuinfo", "hypervisor") else ""
+    real_time = ", real-time priorities"
+    try:
+        os.sched_setscheduler(0, os.SCHED_FIFO, os.sched_param(99))
+        os.sched_setscheduler(0, os.SCHED_OTHER, os.sched_param(0))
+    except OSError:
+        real_time = ", no real-time priorities"
+    return {
+        "machine": f"{board or model or 'unknown processor'}, {os.cpu_count()} cores"
+        + virtual,
+        "kernel": platform.release()
+        + (", " if line("/sys/kernel/realtime", "1") else ", not ")
+        + "PREEMPT_RT",
+        "governor": (
+            line(f"{processors}/cpu0/cpufreq/scaling_governor") or "none visible"
+        )
+        + ", idle states: "
+        + (line(f"{processors}/cpuidle/current_driver") or "none visible"),
+        "user": ("root" if os.geteuid() == 0 else "an ordinary user") + real_time,
+        "sources": os.environ.get("DESTIJL_COMMIT", "unknown"),
+        "begun": time.strftime("%Y-%m-%d %H:%M:%S UTC", time.gmtime()),
+    }
 
 
 @dataclass

@@ -19,24 +19,23 @@ others."""
 
 import argparse
 import json
-import os
-import platform
 import statistics
 import subprocess
 import sys
-import time
 from pathlib import Path
 from typing import Any
 
 from measurements import (
     RESULTS,
     ROOT,
+    WAY,
     Row,
     Run,
     Wrong,
     by_lines,
     compare,
     grid,
+    machine,
     with_tables,
 )
 
@@ -49,6 +48,8 @@ SLOWEST = 1.5
 
 AT_ONCE = 2
 #  Real ones
+
+FACTS = ("machine", "kernel", "sources", "begun")
 
 Mission = dict[str, Any]
 
@@ -67,9 +68,6 @@ HEADS = {
     "slow": f"above {SLOWEST}",
 }
 
-
-#  The way of an image to the order of a mission, as script/bench calls it
-WAY = "image to its order's first byte"
 
 WAY_HEADS = {
     "n": "number",
@@ -182,21 +180,8 @@ def missed(missions: list[Mission]) -> list[str]:
     return lines
 
 
-def processor() -> str:
-    for line in Path("/proc/cpuinfo").read_text().splitlines():
-        if line.startswith("model name"):
-            return line.partition(":")[2].strip()
-    return platform.machine()
-
-
 def facts(seed: int) -> dict[str, Any]:
-    return {
-        "machine": f"{processor()}, {os.cpu_count()} processors",
-        "kernel": platform.release(),
-        "sources": os.environ.get("DESTIJL_COMMIT", "unknown"),
-        "begun": time.strftime("%Y-%m-%d %H:%M UTC", time.gmtime()),
-        "seed": seed,
-    }
+    return {**{name: machine()[name] for name in FACTS}, "seed": seed}
 
 
 def about(kept: dict[str, Any]) -> str:
@@ -220,8 +205,7 @@ def way_of(path: Path) -> dict[str, Any]:
         raise Wrong(f"{path} has no row {WAY}")
     figures = {key: row[key] for key in WAY_HEADS if key != "bound"}
     figures["bound"] = row["goals"]["max"]["at most"]
-    facts = ("sources", "begun", "machine", "kernel")
-    return {**{key: run.facts[key] for key in facts}, "figures": figures}
+    return {**{key: run.facts[key] for key in FACTS}, "figures": figures}
 
 
 def way_block(way: dict[str, Any]) -> list[str]:

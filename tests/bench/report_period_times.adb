@@ -3,7 +3,6 @@
 
 with Ada.Characters.Handling; use Ada.Characters.Handling;
 with Ada.Real_Time;         use Ada.Real_Time;
-with Ada.Strings.Fixed;     use Ada.Strings.Fixed;
 with Ada.Strings.Unbounded; use Ada.Strings.Unbounded;
 with GNAT.OS_Lib;
 with System;
@@ -16,7 +15,7 @@ with Expectations;          use Expectations;
 with Instants;              use Instants;
 with Own_Process;
 with Plain_Numbers;         use Plain_Numbers;
-with Reports;
+with Reports;               use Reports;
 with Samples;
 with Schedule;
 with Supervisors;
@@ -43,54 +42,6 @@ procedure Report_Period_Times is
      (if Own_Process.Real_Time_Allowed
       then Priority_Of (Of_Subject) + 1 else 0);
 
-   function Late
-     (Events : Event_Vectors.Vector; Text : String; Period : Time_Span)
-      return Samples.Set
-   is
-      --  How much later than on the grid of the earliest each has come
-      Length : constant Duration := To_Duration (Period);
-      First  : Instant := Never;
-      Past   : Duration;
-      Result : Samples.Set;
-   begin
-      for Item of Events loop
-         if Item.Text = Text then
-            if First = Never then
-               First := Item.Begun;
-            end if;
-            Past := Item.Begun - First;
-            Result.Add
-              (Past - Length * Integer (Float (Past) / Float (Length)));
-         end if;
-      end loop;
-      return Result.From_Least;
-   end Late;
-
-   function Cyclictest_Latencies (From : Child) return Samples.Set is
-      --  Of its histogram, to the microsecond
-      Result : Samples.Set;
-   begin
-      for Number in 1 .. From.Count (Output) loop
-         declare
-            Line  : constant String :=
-              To_String (From.Element (Output, Number).Text);
-            Blank : constant Natural := Index (Line, " ");
-         begin
-            if Line'Length > 0 and then Is_Digit (Line (Line'First))
-              and then Blank > 0
-            then
-               for Count in 1 .. Natural'Value (Line (Blank .. Line'Last)) loop
-                  Result.Add
-                    (Duration
-                       (Natural'Value (Line (Line'First .. Blank - 1)))
-                     / 1_000_000);
-               end loop;
-            end if;
-         end;
-      end loop;
-      return Result;
-   end Cyclictest_Latencies;
-
    Camera     : Emulators.Emulator;
    Supervisor : Supervisors.Supervisor;
    Cyclic     : array (Subject) of Child;
@@ -99,23 +50,37 @@ procedure Report_Period_Times is
    Compared   : constant Boolean :=
      GNAT.OS_Lib."/=" (Program, null)
      and then Own_Process.Real_Time_Allowed;
-   Ours       : Samples.Set;
 
-   procedure Compare (Name : String; Of_Subject : Subject) is
-      --  Ours with cyclictest
-      Floor : Samples.Set;
+   procedure Put
+     (Which : Subject; Events : Event_Vectors.Vector; Text : String)
+   is
+      --  When each of them has come
+      Name   : constant String := To_Lower (Which'Image);
+      Period : constant String :=
+        Reports.Member ("period", To_Duration (Period_Of (Which)));
+      First  : Instant := Never;
+      Times  : Samples.Set;
    begin
+      for Item of Events loop
+         if Item.Text = Text then
+            if First = Never then
+               First := Item.Begun;
+            end if;
+            Times.Add (Item.Begun - First);
+         end if;
+      end loop;
       if not Compared then
-         Reports.Put (Name, Ours);
+         Reports.Put (Name, Times, More => Period);
          return;
       end if;
-      Check (Cyclic (Of_Subject).Exit_Status = 0, "cyclictest has failed");
-      delay 0.2;
+      Check (Cyclic (Which).Exit_Status = 0, "cyclictest has failed");
       --  its last lines
-      Floor := Cyclictest_Latencies (Cyclic (Of_Subject)).From_Least;
-      Reports.Compare (Name & ", to cyclictest", Ours, Floor,
-                       (1 => (Reports.P999_Ratio, 1.5)));
-   end Compare;
+      delay 0.2;
+      Reports.Put
+        (Name & ", to cyclictest", Times,
+         More => Period & ", ""cyclictest"": "
+           & Quoted (Cyclic (Which).Text (Output)));
+   end Put;
 
 begin
    Reports.Begin_Section ("periods", "how late, against the earliest of all");
@@ -151,13 +116,9 @@ begin
    Serve (Duration (Bench_Settings.Seconds));
    Own_Process.Prefer_Real_Time (False);
 
-   for Which in Battery .. Reload loop
-      Ours := Late (Frames (Both_Ends.Ours),
-                    (if Which = Battery then "v" else "w"), Period_Of (Which));
-      Compare (To_Lower (Which'Image), Which);
-   end loop;
-   Ours := Late (Messages (Both_Ends.Ours), "CIMG", Image_Period);
-   Compare ("image", Image);
+   Put (Battery, Frames (Both_Ends.Ours), "v");
+   Put (Reload, Frames (Both_Ends.Ours), "w");
+   Put (Image, Messages (Both_Ends.Ours), "CIMG");
    Check ((for all Item of Messages (Both_Ends.Ours) => Item.Text /= "ATIM"),
           "the robot counts as lost: the machine was busy elsewhere for as"
           & " long as four time-outs");
@@ -168,5 +129,4 @@ begin
    end if;
    Close_All;
    GNAT.OS_Lib.Free (Program);
-   Reports.End_Section;
 end Report_Period_Times;

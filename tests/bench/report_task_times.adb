@@ -159,5 +159,4 @@ begin
    end loop;
    Measure_Load (Missions => True);
    Task_Times.Print;
-   Reports.End_Section;
 end Report_Task_Times;

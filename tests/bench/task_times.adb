@@ -181,10 +181,6 @@ package body Task_Times is
       end Add;
 
    begin
-      if Watch /= null and then not Watch'Terminated then
-         Stop;
-         --  a measurement that has failed
-      end if;
       Threads.Clear;
       Gone := False;
       Search (Folder, "", (Directory => True, others => False), Add'Access);
@@ -210,18 +206,14 @@ package body Task_Times is
    end Stop;
 
    procedure Print is
-      Number : Natural := 0;
-      Above  : Natural := 0;
 
       procedure Put (Name : String; Set : Samples.Set; Budget : Duration) is
       begin
          if Budget > 0.0 then
-            Reports.Put (Name, Set,
-                         (1 => (Reports.P999, 1.0E6 * Float (Budget))));
-            Number := Number + Set.Count;
-            Above := Above + Set.Count_Above (Budget);
+            Reports.Put (Name, Set, More => Reports.Member ("budget", Budget));
          end if;
       end Put;
+
    begin
       for Place in Runs.Iterate loop
          Put (Run_Maps.Key (Place), Run_Maps.Element (Place),
@@ -230,8 +222,6 @@ package body Task_Times is
       Put ("line, request", Requests, Budget_Of (Line_Request));
       Put ("line, answer", Answers,
            Budget_Of (Line_Answer) + Budget_Of (Line_Outcome));
-      Reports.Put_Number ("activities", Float (Number), "");
-      Reports.Put_Number ("activities above their budgets", Float (Above), "");
    end Print;
 
 end Task_Times;

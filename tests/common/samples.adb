@@ -8,41 +8,14 @@ package body Samples is
       Object.Values.Append (Value);
    end Add;
 
-   procedure Delete_Last (Object : in out Set) is
-   begin
-      Object.Values.Delete_Last;
-   end Delete_Last;
-
-   procedure Clear (Object : in out Set) is
-   begin
-      Object.Values.Clear;
-   end Clear;
-
-   function Last (Object : Set) return Duration is
-     (Object.Values.Last_Element);
-
    function Count (Object : Set) return Natural is
      (Natural (Object.Values.Length));
 
-   function Count_Above (Object : Set; Limit : Duration) return Natural is
-      Result : Natural := 0;
-   begin
-      for Value of Object.Values loop
-         if Value > Limit then
-            Result := Result + 1;
-         end if;
-      end loop;
-      return Result;
-   end Count_Above;
+   function Element (Object : Set; Place : Positive) return Duration is
+     (Object.Values (Place));
 
-   function Mean (Object : Set) return Duration is
-      Sum : Duration := 0.0;
-   begin
-      for Value of Object.Values loop
-         Sum := Sum + Value;
-      end loop;
-      return (if Object.Values.Is_Empty then 0.0 else Sum / Object.Count);
-   end Mean;
+   function Last (Object : Set) return Duration is
+     (Object.Values.Last_Element);
 
    function Quantile (Object : Set; Share : Float) return Duration is
       Sorted : Vectors.Vector := Object.Values;
@@ -64,20 +37,10 @@ package body Samples is
          Part.Add (Value);
          if Part.Count = Run then
             Worst.Add (Part.Quantile (1.0));
-            Part.Clear;
+            Part := None;
          end if;
       end loop;
       return Worst.Quantile (0.5);
    end Usual_Worst;
-
-   function From_Least (Object : Set) return Set is
-      Least  : constant Duration := Object.Quantile (0.0);
-      Result : Set;
-   begin
-      for Value of Object.Values loop
-         Result.Add (Value - Least);
-      end loop;
-      return Result;
-   end From_Least;
 
 end Samples;

@@ -7,20 +7,17 @@ package Samples is
 
    type Set is tagged private;
 
+   None : constant Set;
+
    procedure Add (Object : in out Set; Value : Duration);
-
-   procedure Delete_Last (Object : in out Set);
-
-   procedure Clear (Object : in out Set);
-
-   function Last (Object : Set) return Duration;
-   --  The newest
 
    function Count (Object : Set) return Natural;
 
-   function Count_Above (Object : Set; Limit : Duration) return Natural;
+   function Element (Object : Set; Place : Positive) return Duration;
+   --  The oldest is the first
 
-   function Mean (Object : Set) return Duration;
+   function Last (Object : Set) return Duration;
+   --  The newest
 
    function Quantile (Object : Set; Share : Float) return Duration
      with Pre => Share in 0.0 .. 1.0;
@@ -31,9 +28,6 @@ package Samples is
    --  The median of the largest of each Run successive samples: what one
    --  disturbance does not change
 
-   function From_Least (Object : Set) return Set;
-   --  Replaces each by its difference from the smallest
-
 private
 
    package Vectors is new Ada.Containers.Vectors (Positive, Duration);
@@ -42,5 +36,7 @@ private
    type Set is tagged record
       Values : Vectors.Vector;
    end record;
+
+   None : constant Set := (Values => Vectors.Empty_Vector);
 
 end Samples;

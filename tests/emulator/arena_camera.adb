@@ -9,7 +9,6 @@ with Ada.Streams;      use Ada.Streams;
 with Ada.Strings;
 with Ada.Strings.Fixed;
 with Ada.Text_IO;
-with Interfaces;
 with Interfaces.C;     use Interfaces.C;
 
 with GNAT.Random_Numbers;
@@ -20,6 +19,7 @@ with Journals;
 with Libc;
 with Own_Process;
 with Polls;
+with Random_Numbers;   use Random_Numbers;
 with Robot_Bench;
 with Robot_Core;
 with Robot_Motion;
@@ -59,20 +59,17 @@ package body Arena_Camera is
    end record;
    --  What was to be seen when
 
-   type Choice is record
-      Value         : Settings.Values (Settings.Camera_Kind) :=
-        Settings.Usual (Settings.Camera_Kind);
-      Width, Height : Natural;
-   end record;
+   subtype Choice is Settings.Values (Settings.Camera_Kind);
+
+   function Mode (C : Choice) return Mode_Kind is
+     (Mode_Kind'Val (C (Camera_Mode)));
 
    protected Studio is
 
       procedure Open;
       --  Before that nothing is to be seen
 
-      procedure Set_Mode (New_Mode : Mode_Kind);
       procedure Set (Kind : Settings.Camera_Kind; Value : Integer);
-      procedure Set_Size (Width, Height : Positive);
       procedure Mend;
 
       procedure Begin_Watching (Who : Viewer_Number; Allowed : out Boolean);
@@ -90,13 +87,11 @@ package body Arena_Camera is
         (S : Shot; Data : Image; Length : Image_Length; Bare : Boolean);
 
       function Configuration return Choice;
-      function Current_Mode return Mode_Kind;
       function Newest return Shot;
       function Watching return Natural;
 
    private
-      Mode    : Mode_Kind := On;
-      Chosen  : Choice := (Width => 640, Height => 480, others => <>);
+      Chosen  : Choice := Settings.Usual (Settings.Camera_Kind);
       Usual   : Choice;
       --  When it was opened
       Ready   : Boolean := False;
@@ -132,21 +127,21 @@ package body Arena_Camera is
    begin
       Robot_Bench.Bench.Look
         (Robot, Time,
-         Ago => Instant (C.Value (Camera_Delay)) * 1_000_000);
+         Ago => Instant (C (Camera_Delay)) * 1_000_000);
       Pose := Robot_Core.Pose (Robot);
       return
-        (Width  => int (C.Width),
-         Height => int (C.Height),
+        (Width  => int (C (Frame_Width)),
+         Height => int (C (Frame_Height)),
          Arena  => 1,
          Fill   => 0.85,
          Turn | Blur | Uneven | Lean_X | Lean_Y => 0.0,
-         Noise  => double (C.Value (Noise)),
+         Noise  => double (C (Noise)),
          Seed   => unsigned (Seed),
          Robots => 1,
          Robot  =>
            (0      =>
-              (Marker  => int (C.Value (Marker)),
-               Id      => int (C.Value (Marker_Id)),
+              (Marker  => int (C (Marker)),
+               Id      => int (C (Marker_Id)),
                X       => double (Pose.X) / 10_000.0,
                Y       => double (Pose.Y) / 10_000.0,
                Heading => double (Pose.Angle) / 1_000_000.0),
@@ -191,23 +186,14 @@ package body Arena_Camera is
    is
       --  Makes of a good image one of the kinds of bad ones, as its number has
       --  it. Bare: to be sent without the header of its part.
-      State : Interfaces.Unsigned_32 := Interfaces.Unsigned_32 (Number);
+      Source : Random_Numbers.Generator;
 
-      procedure Draw (Below : Image_Length; Value : out Image_Length) is
-         --  The next number of a linear congruential sequence
-         use type Interfaces.Unsigned_32;
+      procedure Set_One (Last : Image_Length) is
+         --  At random, and so is its place
       begin
-         State := State * 1_664_525 + 1_013_904_223;
-         Value := Image_Length (Interfaces.Shift_Right (State, 8)
-                                mod Interfaces.Unsigned_32 (Below));
-      end Draw;
-
-      procedure Set_Random (Place : Image_Index) is
-         Value : Image_Length;
-      begin
-         Draw (256, Value);
-         Data (Place) := Stream_Element (Value);
-      end Set_Random;
+         Data (Image_Index (Whole (Source, 1, Integer (Last)))) :=
+           Stream_Element (Whole (Source, 0, 255));
+      end Set_One;
 
       type Kind is
         (Noise, Half, Wrong_Bytes, Wrong_Head, Nothing, No_Header);
@@ -215,25 +201,23 @@ package body Arena_Camera is
       Chosen : constant Kind := Kind'Val (Number mod 6);
       Head   : constant Image_Length := Image_Length'Min (Length, 700);
       --  Of a JPEG: markers, tables and the size
-      Value  : Image_Length;
    begin
+      Start (Source, Number, "bad image");
       Bare := Chosen = No_Header;
       case Chosen is
          when Noise | No_Header =>
-            for K in 1 .. Length loop
-               Set_Random (K);
+            for Byte of Data (1 .. Length) loop
+               Byte := Stream_Element (Whole (Source, 0, 255));
             end loop;
          when Half =>
             Length := Image_Length'Max (1, Length / 2);
          when Wrong_Bytes =>
             for K in 1 .. 100 loop
-               Draw (Length, Value);
-               Set_Random (1 + Value);
+               Set_One (Length);
             end loop;
          when Wrong_Head =>
             for K in 1 .. 40 loop
-               Draw (Head, Value);
-               Set_Random (1 + Value);
+               Set_One (Head);
             end loop;
          when Nothing =>
             Length := 1;
@@ -303,12 +287,12 @@ package body Arena_Camera is
             S.Number := Studio.Newest.Number + 1;
             Wanted   := Studio.Configuration;
             if not (Again
-                    and then S.Scene.Width = int (Wanted.Width)
-                    and then S.Scene.Height = int (Wanted.Height))
+                    and then S.Scene.Width = int (Wanted (Frame_Width))
+                    and then S.Scene.Height = int (Wanted (Frame_Height)))
             then
                S.Scene := Scene_Now (S.Time, S.Number, Wanted);
-               if Wanted.Value (Position_Noise) > 0 then
-                  Displace (S.Scene, double (Wanted.Value (Position_Noise)));
+               if Wanted (Position_Noise) > 0 then
+                  Displace (S.Scene, double (Wanted (Position_Noise)));
                end if;
                Length := Scenes.Jpeg
                  (S.Scene, Quality, Drawn'Address, Largest_Image);
@@ -317,16 +301,17 @@ package body Arena_Camera is
             if Length > 0 then
                Size := Image_Length (Length);
                Bare := False;
-               if Studio.Current_Mode = Garbage then
+               if Mode (Studio.Configuration) = Garbage then
                   Spoil (Drawn, Size, Bare, S.Number);
                else
-                  Again := Wanted.Width * Wanted.Height > Largest_Alive;
+                  Again := Wanted (Frame_Width) * Wanted (Frame_Height)
+                    > Largest_Alive;
                end if;
                Studio.Publish (S, Drawn, Size, Bare);
             end if;
 
             Due := Due + 1_000_000_000
-              / Instant (Studio.Configuration.Value (Camera_Fps));
+              / Instant (Studio.Configuration (Camera_Fps));
             if Due < Now then
                Due := Now;
                --  Too slow: images are left out, not made up for
@@ -360,7 +345,7 @@ package body Arena_Camera is
          --  As long as opening the camera takes, unless the viewer goes
          Step : constant Duration := 0.05;
          Left : Duration :=
-           Duration (Studio.Configuration.Value (Camera_Opening)) / 1_000;
+           Duration (Studio.Configuration (Camera_Opening)) / 1_000;
       begin
          while Left > 0.0 and then not Is_Gone loop
             delay Duration'Min (Left, Step);
@@ -387,7 +372,8 @@ package body Arena_Camera is
                   Length := 0;
                   return;
                end if;
-               Waited := (if Studio.Current_Mode = On then Waited + 1 else 0);
+               Waited :=
+                 (if Mode (Studio.Configuration) = On then Waited + 1 else 0);
                exit when Waited = 2 and then Length > 0;
             end select;
          end loop;
@@ -458,7 +444,7 @@ package body Arena_Camera is
             Time : constant Instant := Now;
             Sees : Choice := Studio.Configuration;
          begin
-            Sees.Value (Camera_Delay) := 0;
+            Sees (Camera_Delay) := 0;
             Reply ("200 OK",
                    Truth ((Scene_Now (Time, 0, Sees),
                            Studio.Newest.Number, Time)));
@@ -506,7 +492,7 @@ package body Arena_Camera is
 
       procedure Begin_Watching (Who : Viewer_Number; Allowed : out Boolean) is
       begin
-         Allowed := Mode /= Off and then Lookers < Max_Viewers;
+         Allowed := Mode (Chosen) /= Off and then Lookers < Max_Viewers;
          if Allowed then
             Looking (Who) := True;
             Fresh (Who)   := False;
@@ -516,10 +502,8 @@ package body Arena_Camera is
 
       function Configuration return Choice is (Chosen);
 
-      function Current_Mode return Mode_Kind is (Mode);
-
       function Has_Work return Boolean is
-        (Ready and then Lookers > 0 and then Mode in On | Garbage);
+        (Ready and then Lookers > 0 and then Mode (Chosen) in On | Garbage);
 
       procedure Leave (Who : Viewer_Number) is
       begin
@@ -531,7 +515,6 @@ package body Arena_Camera is
 
       procedure Mend is
       begin
-         Mode   := On;
          Chosen := Usual;
       end Mend;
 
@@ -539,11 +522,11 @@ package body Arena_Camera is
 
       entry Next (for Who in Viewer_Number)
         (Data : out Image; Length : out Image_Length; Bare : out Boolean)
-        when Fresh (Who) or else Mode = Off is
+        when Fresh (Who) or else Mode (Chosen) = Off is
       begin
          Bare := Is_Bare;
          Fresh (Who) := False;
-         if Mode = Off then
+         if Mode (Chosen) = Off then
             Length := 0;
          else
             Length := Size;
@@ -560,7 +543,7 @@ package body Arena_Camera is
       procedure Publish
         (S : Shot; Data : Image; Length : Image_Length; Bare : Boolean) is
       begin
-         if Mode in On | Garbage then
+         if Mode (Chosen) in On | Garbage then
             Last    := S;
             Size    := Length;
             Is_Bare := Bare;
@@ -571,19 +554,8 @@ package body Arena_Camera is
 
       procedure Set (Kind : Settings.Camera_Kind; Value : Integer) is
       begin
-         Chosen.Value (Kind) := Value;
+         Chosen (Kind) := Value;
       end Set;
-
-      procedure Set_Size (Width, Height : Positive) is
-      begin
-         Chosen.Width  := Width;
-         Chosen.Height := Height;
-      end Set_Size;
-
-      procedure Set_Mode (New_Mode : Mode_Kind) is
-      begin
-         Mode := New_Mode;
-      end Set_Mode;
 
       entry Wait_For_Work when Has_Work is
       begin
@@ -633,16 +605,6 @@ package body Arena_Camera is
    begin
       Studio.Set (Kind, Value);
    end Set;
-
-   procedure Set_Size (Width, Height : Positive) is
-   begin
-      Studio.Set_Size (Width, Height);
-   end Set_Size;
-
-   procedure Set_Mode (Mode : Mode_Kind) is
-   begin
-      Studio.Set_Mode (Mode);
-   end Set_Mode;
 
    procedure Start (Port : in out Natural; Problem : out Unbounded_String)
    is

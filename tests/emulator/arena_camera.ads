@@ -23,7 +23,6 @@ package Arena_Camera is
    --  as at first. Call once. Problem is the reason of a failure; "" if none.
 
    procedure Set (Kind : Settings.Camera_Kind; Value : Integer);
-   procedure Set_Size (Width, Height : Positive);
    --  Of the images, from the next one on. Above the sizes of such cameras
    --  (1920 x 1440) one is drawn and sent repeatedly.
 
@@ -32,8 +31,7 @@ package Arena_Camera is
       Stall,     --  streams stay open without images
       Garbage,   --  invalid or damaged images are sent
       Off);      --  streams are closed, new ones rejected
-
-   procedure Set_Mode (Mode : Mode_Kind);
+   --  The values of Camera_Mode
 
    procedure Mend;
    --  All of this as at first

@@ -139,7 +139,7 @@ package body Bench_Console is
         & " stops=" & Image (Robot_Core.Stops (R))
         & " spoilt=" & Image (Bench.Spoilt)
         & " charging=" & Switch (Robot_Core.Charging (R))
-        & " device=" & Serial_Side.Device
+        & " device=" & Serial_Side.Ask (Serial_Side.Name)
         & " viewers=" & Image (Arena_Camera.Viewers)
         & " frames=" & Image (Arena_Camera.Frames);
    end Status;
@@ -159,7 +159,8 @@ package body Bench_Console is
 
       procedure Say_Device is
       begin
-         Answer := To_Unbounded_String ("ok device " & Serial_Side.Device);
+         Answer := To_Unbounded_String
+           ("ok device " & Serial_Side.Ask (Serial_Side.Name));
       end Say_Device;
 
    begin
@@ -169,7 +170,8 @@ package body Bench_Console is
       elsif Name = "camera" then
          for Mode in Arena_Camera.Mode_Kind loop
             if Rest = To_Lower (Mode'Image) then
-               Arena_Camera.Set_Mode (Mode);
+               Arena_Camera.Set
+                 (Camera_Mode, Arena_Camera.Mode_Kind'Pos (Mode));
                return;
             end if;
          end loop;
@@ -184,7 +186,7 @@ package body Bench_Console is
             raise Bad_Value with "unknown; try help";
          end if;
       elsif Name = "unasked" then
-         Must_Be (Serial_Side.Send_Unasked (Bytes (Rest)));
+         Must_Be (Serial_Side.Ask (Serial_Side.Send, Bytes (Rest)));
       elsif Name = "journal" and then Rest = "clear" then
          Bench.Clear_Journal;
       elsif Rest /= "" then
@@ -192,9 +194,9 @@ package body Bench_Console is
       elsif Name = "mend" then
          Bench.Mend;
       elsif Name = "hangup" then
-         Must_Be (Serial_Side.Hang_Up);
+         Must_Be (Serial_Side.Ask (Serial_Side.Hang));
       elsif Name = "return" then
-         Must_Be (Serial_Side.Put_Back);
+         Must_Be (Serial_Side.Ask (Serial_Side.Return_Line));
          Say_Device;
       elsif Name = "device" then
          Say_Device;

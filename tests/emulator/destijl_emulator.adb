@@ -14,6 +14,7 @@ with Bench_Console;
 with Option_Readers;        use Option_Readers;
 with Own_Process;
 with Plain_Numbers;         use Plain_Numbers;
+with Programs;
 with Project_Version;
 with Robot_Bench;           use Robot_Bench;
 with Robot_Core;
@@ -69,14 +70,8 @@ procedure Destijl_Emulator is
    end Tell;
 
    procedure Give_Up (Reason : String; Status : Integer) is
-      --  Ends the process with Status, whether Reason can be written or not
    begin
-      Ada.Text_IO.Put_Line
-        (Ada.Text_IO.Standard_Error, "destijl_emulator: " & Reason);
-      GNAT.OS_Lib.OS_Exit (Status);
-   exception
-      when Ada.Text_IO.Device_Error =>
-         GNAT.OS_Lib.OS_Exit (Status);
+      Programs.Give_Up ("destijl_emulator: " & Reason, Status);
    end Give_Up;
 
    procedure Set (Option : String) is
@@ -158,7 +153,7 @@ begin
    end if;
 
    Bench.Begin_Life (Boot, Stay_On);
-   Bench_Console.Say ("device " & Serial_Side.Device);
+   Bench_Console.Say ("device " & Serial_Side.Ask (Serial_Side.Name));
    if With_Camera then
       Bench_Console.Say
         ("camera http://127.0.0.1:" & Image (Port) & "/stream.mjpg");

@@ -20,8 +20,6 @@ package body Serial_Side is
 
    use type Interfaces.Unsigned_32;
 
-   type Request_Kind is (Send, Hang, Return_Line, Name, Finish);
-
    subtype Data_Length is Natural range 0 .. 256;
 
    type Request (Length : Data_Length := 0) is record
@@ -102,7 +100,6 @@ package body Serial_Side is
      (Kind : Request_Kind; Data : Robot_Core.Octets := (1 .. 0 => 0))
       return String
    is
-      --  Its outcome
       One     : constant Interfaces.Unsigned_64 := 1;
       Ignored : long;
       Text    : Unbounded_String;
@@ -397,15 +394,6 @@ package body Serial_Side is
             & Ada.Exceptions.Exception_Information (Failure));
          GNAT.OS_Lib.OS_Exit (3);
    end Carrier;
-
-   function Device return String is (Ask (Name));
-
-   function Hang_Up return String is (Ask (Hang));
-
-   function Put_Back return String is (Ask (Return_Line));
-
-   function Send_Unasked (Data : Robot_Core.Octets) return String is
-     (Ask (Send, Data));
 
    procedure Start (Chosen : Choice; Problem : out Unbounded_String) is
    begin

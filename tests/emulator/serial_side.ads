@@ -35,19 +35,17 @@ package Serial_Side is
    procedure Stop;
    --  Hangs up and removes the link. After Start only.
 
-   function Device return String;
-   --  The pseudo-terminal; "-" while hung up
+   type Request_Kind is
+     (Send,         --  unsolicited bytes, after those already waiting
+      Hang,         --  device and link go: the robot receives nothing more
+      Return_Line,  --  a new device; the link points to it
+      Name,         --  of the pseudo-terminal, "-" while hung up
+      Finish);      --  see Stop
 
-   --  Each of the following returns when it is done: "", or the error.
-
-   function Send_Unasked (Data : Robot_Core.Octets) return String
-     with Pre => Data'Length <= 256;
-   --  Sends unsolicited bytes, after those already waiting
-
-   function Hang_Up return String;
-   --  The device and its link are removed. The robot receives nothing more.
-
-   function Put_Back return String;
-   --  A new device; the link points to it
+   function Ask
+     (Kind : Request_Kind; Data : Robot_Core.Octets := (1 .. 0 => 0))
+      return String
+   with Pre => Data'Length <= 256;
+   --  Returns when it is done: "", the name, or the error
 
 end Serial_Side;

@@ -93,7 +93,10 @@ package body Settings is
       Noise          =>
         (+"noise", +"N", +"grey levels, standard deviation", 0, 30),
       Marker         => (+"marker", +"KIND", +"aruco or triangle", 0, 1),
-      Marker_Id      => (+"marker-id", +"N", +"of an ArUco marker", 0, 999));
+      Marker_Id      => (+"marker-id", +"N", +"of an ArUco marker", 0, 999),
+      Frame_Width    => (Low => 1, High => 4_096, others => <>),
+      Frame_Height   => (Low => 1, High => 2_304, others => <>),
+      Camera_Mode    => (others => <>));
 
    Commas : constant Maps.Character_Mapping := Maps.To_Mapping (",", " ");
 
@@ -153,17 +156,6 @@ package body Settings is
            & " and degrees, not '" & Text & "'";
    end Set_Pose;
 
-   procedure Set_Size (Text : String) is
-      Cross : constant Natural := Index (Text, "x");
-   begin
-      if Cross = 0 then
-         raise Bad_Value with "WIDTHxHEIGHT is expected, not '" & Text & "'";
-      end if;
-      Arena_Camera.Set_Size
-        (Whole (Text (Text'First .. Cross - 1), 1, Max_Width),
-         Whole (Text (Cross + 1 .. Text'Last), 1, Max_Height));
-   end Set_Size;
-
    function Names (Before : String) return String is
       Result : Unbounded_String;
 
@@ -215,15 +207,21 @@ package body Settings is
          end if;
       end Set_One;
 
-      Stop : constant Natural := Index (Text & " ", " ");
+      Stop  : constant Natural := Index (Text & " ", " ");
       --  behind the first word
+      Cross : constant Natural := Index (Text, "x");
    begin
       Known := True;
       if Name = "pose" then
          Set_Pose (Text);
          return;
       elsif Name in "frame-size" | "camera-size" then
-         Set_Size (Text);
+         if Cross = 0 then
+            raise Bad_Value with
+              "WIDTHxHEIGHT is expected, not '" & Text & "'";
+         end if;
+         Set_One (Frame_Width, Text (Text'First .. Cross - 1));
+         Set_One (Frame_Height, Text (Cross + 1 .. Text'Last));
          return;
       end if;
       for K in Kind loop

@@ -31,10 +31,13 @@ package Settings is
       --  run.
       Noise,             --  grey levels, standard deviation
       Marker,            --  0: ArUco, 1: a triangle
-      Marker_Id);
+      Marker_Id,
+      Frame_Width, Frame_Height,
+      --  Pixels
+      Camera_Mode);      --  as in Arena_Camera.Mode_Kind
 
    subtype Robot_Kind is Kind range Silent .. Pull;
-   subtype Camera_Kind is Kind range Camera_Fps .. Marker_Id;
+   subtype Camera_Kind is Kind range Camera_Fps .. Camera_Mode;
    subtype Switch is Kind
      with Static_Predicate => Switch in Silent | Endless | Charge;
 
@@ -47,11 +50,9 @@ package Settings is
       Camera_Fps         => 25,
       Noise              => 3,
       Marker_Id          => 1,
+      Frame_Width        => 640,
+      Frame_Height       => 480,
       others             => 0);
-
-   Max_Width  : constant := 4_096;
-   Max_Height : constant := 2_304;
-   --  Of an image
 
    Bad_Value : exception;
    --  The message says what was expected

@@ -8,7 +8,6 @@ with Ada.Text_IO;           use Ada.Text_IO;
 with GNAT.OS_Lib;
 
 with Expectations;
-with Json_Texts;            use Json_Texts;
 with Mission_Judges;        use Mission_Judges;
 with Mission_Plans;         use Mission_Plans;
 with Option_Readers;        use Option_Readers;
@@ -16,6 +15,7 @@ with Own_Process;
 with Plain_Numbers;         use Plain_Numbers;
 with Programs;
 with Real_Missions;
+with Reports;               use Reports;
 with Simulated_Missions;
 with Standstills;
 

@@ -1,7 +1,6 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
 --  What must never happen, for any input.
 
-with Ada.Numerics.Discrete_Random;
 with Ada.Strings.Fixed;     use Ada.Strings.Fixed;
 with Ada.Strings.Unbounded; use Ada.Strings.Unbounded;
 
@@ -10,12 +9,11 @@ with Expectations;          use Expectations;
 with Instants;              use Instants;
 with Monitor_Clients;       use Monitor_Clients;
 with Process_Facts;         use Process_Facts;
+with Random_Numbers;        use Random_Numbers;
 with Rigs;                  use Rigs;
 with Scenarios;             use Scenarios;
 
 procedure Never_Tests is
-
-   package Random_Characters is new Ada.Numerics.Discrete_Random (Character);
 
    Alive : constant String :=
      "RCLS AACK, " & Started & ", RGFW AACK, RSTP AACK, RCLS AACK";
@@ -99,16 +97,15 @@ procedure Never_Tests is
    end Line_Without_End;
 
    procedure Random_Bytes (R : in out Rig) is
-      use Random_Characters;
       Source : Generator;
       Text   : String (1 .. 1_000);
    begin
-      Reset (Source, 5544);
+      Start (Source, 5544, "bytes");
       for Session in 1 .. 10 loop
          R.Monitor.Expect ("RPIN", "ANAK");
          for Round in 1 .. 20 loop
             for Place of Text loop
-               Place := Random (Source);
+               Place := Character'Val (Whole (Source, 0, 255));
             end loop;
             R.Monitor.Send (Text);
          end loop;
@@ -126,23 +123,18 @@ procedure Never_Tests is
         ("ROPN RCLS RSOW RSWW RRST RPIN RLDW RGFW RGBW RGLF RGRI RSTP"
          & " MABT MGTO:320;240 MPCM:20;20;60;40"
          & " RMOV:40 RTRN:-40 RGST COPN CCLS CPCO CPST nope");
-      State    : Natural := 4242;
-      Labels   : constant String := Answers & " RCST";
-      Asked    : constant := 150;
-
-      function Next_Random (Limit : Positive) return Natural is
-      begin
-         State := (State * 1_103 + 12_345) mod 1_000_003;
-         return State mod Limit;
-      end Next_Random;
+      Labels    : constant String := Answers & " RCST";
+      Asked     : constant := 150;
+      Source    : Generator;
 
    begin
+      Start (Source, 4242, "commands");
       for Session in 1 .. 4 loop
          for Number in 1 .. Asked loop
             R.Monitor.Send_Line
               (All_Words.Element
-                 (1 + Next_Random (Natural (All_Words.Length))));
-            if Next_Random (10) = 0 then
+                 (Whole (Source, 1, All_Words.Last_Index)));
+            if Whole (Source, 1, 10) = 1 then
                delay 0.01;
             end if;
          end loop;

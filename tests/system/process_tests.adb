@@ -153,8 +153,7 @@ procedure Process_Tests is
    end One_Processor;
 
    procedure Failing_Task is
-      --  A task that fails unexpectedly: the robot is stopped, exit 3. The
-      --  fault is a signal that the run time turns into an exception.
+      --  The robot is stopped
 
       procedure Fail (Name : String) is
          R    : Rig;
@@ -163,12 +162,7 @@ procedure Process_Tests is
          Assemble (R);
          Play (R, Forward);
          Time := Now;
-         Check (Libc.Tgkill
-                  (R.Supervisor.Pid,
-                   Process_Facts.Thread_Named (R.Supervisor.Pid, Name),
-                   Libc.Sigsegv) = 0,
-                "the thread cannot be signalled");
-         R.Supervisor.Expect_Exit (3);
+         R.Supervisor.Fail (Name);
          Check_Within (Now - Time, 5.0, "the end after a failure");
          Play (R, "status moving 0, seen M=0");
       exception

@@ -169,7 +169,7 @@ procedure Source_Tests is
       end loop;
    end Sources;
 
-   --  V4L2 cameras: tests/system/v4l2_camera stands for the kernel's
+   --  V4L2 cameras: tests/preload/v4l2_camera.c stands for the kernel's
 
    function Settings return String is (In_Folder ("v4l2_camera"));
 

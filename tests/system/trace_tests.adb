@@ -2,7 +2,6 @@
 --  The trace: --trace FILE, from the events in the supervisor to the file.
 
 with Ada.Directories;
-with Ada.Strings.Fixed;     use Ada.Strings.Fixed;
 with Ada.Strings.Unbounded; use Ada.Strings.Unbounded;
 with Interfaces.C;          use Interfaces.C;
 
@@ -25,101 +24,57 @@ procedure Trace_Tests is
    function Trace_Path return String is
      (Programs.Temporary_Folder & "/trace.txt");
 
-   procedure Check_Form (T : Trace) is
-      --  What must hold of every trace: jobs and waits nested, begun and
-      --  ended; times that do not go back in any task
-      Depth : array (Thread_Number) of Natural := (others => 0);
-      Last  : array (Thread_Number) of Nanoseconds := (others => 0);
-      Known : Natural := 0;
+   function Read_Trace return Trace is
    begin
-      for Item of T.Threads loop
-         Known := Known + (if Item.Name = "" then 0 else 1);
-      end loop;
-      Check (Known = Tasks, Known'Image & " tasks have a name");
-      for Item of T.Events loop
-         Check (T.Threads (Item.Thread).Name /= "", "an unknown task");
-         if Name (Item) not in "release" | "due" then
-            Check (Item.Time >= Last (Item.Thread),
-                   "back in time: " & Name (Item) & " at" & Item.Time'Image
-                   & " of " & To_String (T.Threads (Item.Thread).Name));
-            Last (Item.Thread) := Item.Time;
-         end if;
-         case Item.Phase is
-            when 'B' =>
-               Check ((if Depth (Item.Thread) = 0 then Name (Item) = "job"
-                       else Depth (Item.Thread) = 1
-                         and then Index (Name (Item), "wait for ") = 1),
-                      Name (Item) & " begins at depth"
-                      & Depth (Item.Thread)'Image);
-               Depth (Item.Thread) := Depth (Item.Thread) + 1;
-            when 'E' =>
-               Check (Depth (Item.Thread) > 0, "an end without beginning");
-               Depth (Item.Thread) := Depth (Item.Thread) - 1;
-            when others =>
-               null;
-         end case;
-      end loop;
-      Check ((for all D of Depth => D = 0), "a beginning without end");
-   end Check_Form;
+      return Result : constant Trace := Trace_Of (Trace_Path) do
+         Check (Natural (Result.Tasks.Length) = Tasks,
+                Result.Tasks.Length'Image & " tasks have a name");
+      end return;
+   end Read_Trace;
 
    procedure Check_Way (T : Trace; Label, Carrier, Order : String) is
       --  One command of the monitor from its receipt by way of task Carrier
       --  and the robot's answer to the monitor's
-      Place   : Natural := 0;
-      Command : Natural := 0;
-      Since   : Nanoseconds := 0;
+      Place   : Natural  := 0;
+      Command : Natural  := 0;
+      Since   : Duration := 0.0;
 
-      procedure Follow
-        (Who     : String;
-         What    : String;
-         Phase   : Character;
-         Numbered : Boolean := True)
-      is
+      procedure Follow (Who, What : String; Numbered : Boolean := True) is
          --  The next such event
-         Thread : constant Thread_Number := Thread_Of (T, Who);
+         function Is_It (Item : Event) return Boolean is
+           (Item.Who = Who and then Item.What = What
+            and then (not Numbered or else Command in 0 | Item.Command));
       begin
          loop
             Place := Place + 1;
             Check (Place <= T.Events.Last_Index,
                    Label & Command'Image & ": no " & What & " of " & Who);
-            declare
-               Item : Event renames T.Events (Place);
-            begin
-               if Item.Thread = Thread
-                 and then Item.Phase = Phase
-                 and then Name (Item) = What
-                 and then (not Numbered
-                           or else Command in 0 | Item.Command)
-               then
-                  Check (Item.Time >= Since, "an effect before its cause");
-                  Since := Item.Time;
-                  if Command = 0 then
-                     Command := Item.Command;
-                     Check (Command > 0, "a command without a number");
-                  end if;
-                  return;
-               end if;
-            end;
+            exit when Is_It (T.Events (Place));
          end loop;
+         Check (T.Events (Place).Time >= Since, "an effect before its cause");
+         Since := T.Events (Place).Time;
+         if Command = 0 then
+            Command := T.Events (Place).Command;
+            Check (Command > 0, "a command without a number");
+         end if;
       end Follow;
 
    begin
-      Follow ("th_receiveFromMon", "in " & Label, 'i');
-      Follow (Carrier, "release", 'i');
-      Follow (Carrier, "job", 'B');
-      Follow (Carrier, "robot " & Order, 'i', Numbered => False);
-      Follow (Carrier, "wait for answer", 'B', Numbered => False);
-      Follow (Carrier, "", 'E', Numbered => False);
-      Follow ("th_sendToMon", "release", 'i');
-      Follow ("th_sendToMon", "job", 'B', Numbered => False);
-      Follow ("th_sendToMon", "out AACK", 'i', Numbered => False);
+      Follow ("th_receiveFromMon", "in " & Label);
+      Follow (Carrier, "release");
+      Follow (Carrier, "take");
+      Follow (Carrier, "robot " & Order, Numbered => False);
+      Follow (Carrier, "wait answer", Numbered => False);
+      Follow (Carrier, "resume", Numbered => False);
+      Follow ("th_sendToMon", "release");
+      Follow ("th_sendToMon", "start", Numbered => False);
+      Follow ("th_sendToMon", "out AACK", Numbered => False);
    end Check_Way;
 
    procedure Whole_Session is
       R     : Rig;
       Other : Client;
       T     : Trace;
-      Jobs  : array (Thread_Number) of Natural := (others => 0);
       Since : Instant;
    begin
       Assemble (R, Camera => True,
@@ -141,17 +96,9 @@ procedure Trace_Tests is
       Since := Now;
       R.Supervisor.Expect_End;
       Check_Within (Now - Since, 4.0, "the end, with a trace");
-      Read (Trace_Path, T);
-
-      Check_Form (T);
-      for Item of T.Events loop
-         if Item.Phase = 'B' and then Name (Item) = "job" then
-            Jobs (Item.Thread) := Jobs (Item.Thread) + 1;
-         end if;
-      end loop;
-      for Number in Thread_Number loop
-         Check (T.Threads (Number).Name = "" or else Jobs (Number) > 0,
-                "no job of " & To_String (T.Threads (Number).Name));
+      T := Read_Trace;
+      for Name of T.Tasks loop
+         Check (Count_Of (T, Name, "start") > 0, "no job of " & Name);
       end loop;
       Check_Way (T, "ROPN", "th_openComRobot", "r");
       Check_Way (T, "RSWW", "th_startRobotWD", "W");
@@ -166,41 +113,23 @@ procedure Trace_Tests is
    procedure After_A_Failure is
       T : Trace;
 
-      function Count_Of (Who, What : String) return Natural is
-         Result : Natural := 0;
-      begin
-         for Item of T.Events loop
-            if Item.Thread = Thread_Of (T, Who) and then Name (Item) = What
-            then
-               Result := Result + 1;
-            end if;
-         end loop;
-         return Result;
-      end Count_Of;
-
       procedure Fail (Who : String) is
          --  While the robot moves
          R : Rig;
       begin
          Assemble (R, Supervisor_Options => "--trace " & Trace_Path);
          Play (R, Forward);
-         Check
-           (Libc.Tgkill
-              (R.Supervisor.Pid,
-               Process_Facts.Thread_Named (R.Supervisor.Pid, Who),
-               Libc.Sigsegv) = 0,
-            "the thread cannot be signalled");
-         R.Supervisor.Expect_Exit (3);
-         Read (Trace_Path, T);
-         Check_Form (T);
-         Check (Count_Of ("th_receiveFromMon", "in RGFW") = 1, "the movement");
+         R.Supervisor.Fail (Who);
+         T := Read_Trace;
+         Check (Count_Of (T, "th_receiveFromMon", "in RGFW") = 1,
+                "the movement");
       end Fail;
 
    begin
       --  the main procedure, which ends the process then, is at the file
       Fail ("th_stop");
       Fail ("th_resetRobot");
-      Check (Count_Of ("th_stop", "robot M") >= 1, "no stop in the trace");
+      Check (Count_Of (T, "th_stop", "robot M") >= 1, "no stop in the trace");
    end After_A_Failure;
 
    procedure Nothing_Happened is
@@ -211,11 +140,10 @@ procedure Trace_Tests is
       S.Start ("--trace " & Trace_Path);
       S.Send_Signal (Libc.Sigint);
       S.Expect_Exit (0);
-      Read (Trace_Path, T);
+      T := Read_Trace;
       Reader.Launch ("stat -c mode:%a " & Trace_Path);
       Check (Reader.Says ("mode:600", Patience, From => Output),
              "the trace is readable for others");
-      Check_Form (T);
    end Nothing_Happened;
 
    procedure Unusable_Files is

@@ -1,14 +1,14 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
 --  How long each kind of search takes, of robots beside that in the whole
---  image.
+--  image. The argument is the number of images of each kind.
 
+with Ada.Command_Line;
 with Ada.Real_Time;    use Ada.Real_Time;
 
 with Interfaces.C;     use Interfaces.C;
 with System;
 
 with Expectations;     use Expectations;
-with Option_Readers;
 with Options;
 with Plain_Numbers;    use Plain_Numbers;
 with Programs;
@@ -24,9 +24,9 @@ procedure Image_Times is
    procedure Slot_Load (Slot : int; Bgr : System.Address; Width, Height : int)
    with Import, Convention => C, External_Name => "slot_load";
 
-   Number : Positive := 200;
+   Number : constant Positive :=
+     Positive'Value (Ada.Command_Line.Argument (1));
    --  of images
-   Most : constant := 100_000;
 
    Began : Time;
    --  of what is measured
@@ -88,6 +88,7 @@ procedure Image_Times is
       Parts   : Robot_Count;
       Known   : Vision.Following.State;
       Settled : Boolean;
+      Taken   : Duration;
       Result  : Status;
 
       --  Each search has some images in a row, as the supervisor would make
@@ -115,12 +116,12 @@ procedure Image_Times is
          if Parts > 0 then
             Began := Clock;
             Find_Robots (0, Options.Aruco, No_Arena, False, Found, Count,
-           Result, Areas, Parts);
-            Stop (Follow);
+                         Result, Areas, Parts);
+            Taken := To_Duration (Clock - Began);
             Check (Result in Done | Not_Found, "following");
             Vision.Following.Settle (Known, 100, Found, Count, Settled);
-            if not Settled then
-               Follow.Delete_Last;
+            if Settled then
+               Follow.Add (Taken);
             end if;
          end if;
          if not Settled then
@@ -152,12 +153,9 @@ procedure Image_Times is
          end loop;
       end loop;
       if Prefix = "search: " then
-         Reports.Compare (Name & "in the arena", Inside, Full);
+         Reports.Put (Name & "in the arena", Inside, Full);
       end if;
-      Reports.Compare
-        (Name & "following", Follow, Full,
-         (if Prefix = "search: " then (1 => (Reports.Median_Ratio, 0.2))
-          else Reports.No_Goals));
+      Reports.Put (Name & "following", Follow, Full);
       Reports.Put (Name & "whole image", Full);
       if Prefix = "search: " then
          Reports.Put (Size & " arena", Around);
@@ -166,20 +164,8 @@ procedure Image_Times is
 
    Widths  : constant array (1 .. 4) of Positive := (320, 640, 1_280, 1_920);
    Heights : constant array (1 .. 4) of Positive := (240, 480, 720, 1_080);
-   Usage   : constant String :=
-     "usage: image_times --out FOLDER [--samples N]";
 
 begin
-   while Option_Readers.Next loop
-      if Option_Readers.Name = "--samples" then
-         Number := Option_Readers.Number (10, Most);
-      elsif Option_Readers.Name = "--out" then
-         Reports.Open (Option_Readers.Value);
-      else
-         Programs.Read_Option (Usage);
-      end if;
-   end loop;
-
    Reports.Begin_Section ("search", "robots and arena in an image");
    for Size in Widths'Range loop
       Measure_Searches (Widths (Size), Heights (Size), 1, "search: ");
@@ -188,7 +174,6 @@ begin
       Measure_Searches (640, 480, Robots, Image (Robots) & " in view: ");
    end loop;
    Reports.Put_Note ("floor: the whole image");
-   Reports.End_Section;
 
 exception
    when Problem : others =>

@@ -3,16 +3,12 @@
 
 package body Busy_Loops is
 
-   procedure Start
-     (Object   : in out Load;
-      Count    : Positive := 2;
-      Yielding : Boolean := False)
-   is
+   procedure Start (Object : in out Load; Yielding : Boolean := False) is
       Loop_Forever : constant String := "while :; do :; done";
       Weight       : constant String := "/proc/self/autogroup";
    begin
-      for Number in 1 .. Count loop
-         Object.Loops (Number).Launch
+      for Item of Object.Loops loop
+         Item.Launch
            ("sh|-c|"
             & (if not Yielding then Loop_Forever
                else "exec setsid nice -n 19 sh -c 'if [ -w " & Weight

@@ -1,5 +1,5 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  Load on the machine: processes in a busy loop.
+--  Load on the machine: two processes in a busy loop.
 
 with Child_Processes;
 
@@ -8,11 +8,7 @@ package Busy_Loops is
    type Load is tagged limited private;
    --  Ends at the end of its scope
 
-   procedure Start
-     (Object   : in out Load;
-      Count    : Positive := 2;
-      Yielding : Boolean := False)
-     with Pre => Count <= 4;
+   procedure Start (Object : in out Load; Yielding : Boolean := False);
    --  Yielding: of the least weight, also as a session of its own, so that
    --  kernel threads, which carry the bytes of a pseudo-terminal, go first
 
@@ -20,7 +16,7 @@ package Busy_Loops is
 
 private
 
-   type Children is array (1 .. 4) of Child_Processes.Child;
+   type Children is array (1 .. 2) of Child_Processes.Child;
 
    type Load is tagged limited record
       Loops : Children;

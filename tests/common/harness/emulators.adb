@@ -10,6 +10,7 @@ with GNAT.Sockets;      use GNAT.Sockets;
 with Expectations;      use Expectations;
 with Plain_Numbers;     use Plain_Numbers;
 with Programs;
+with Whole_Sends;
 
 package body Emulators is
 
@@ -137,6 +138,19 @@ package body Emulators is
       Object.Tell ("journal clear");
    end Clear_Journal;
 
+   function Note_Of (Line : String) return Note is
+      Interval : constant String := Value (Line, "interval");
+   begin
+      return
+        (First    => Seconds (Value (Line, "first")),
+         Last     => Seconds (Value (Line, "last")),
+         Command  => To_Unbounded_String (Value (Line, "command")),
+         Answer   => To_Unbounded_String (Value (Line, "answer")),
+         Interval =>
+           (if Interval = "" then 0.0
+            else Duration'Value (Interval) / 1000));
+   end Note_Of;
+
    function Journal (Object : in out Emulator) return Notes is
       Result : Notes;
    begin
@@ -151,20 +165,6 @@ package body Emulators is
       end loop;
       return Result;
    end Journal;
-
-   function Note_Of (Line : String) return Note is
-      Interval : constant String := Value (Line, "interval");
-   begin
-      return
-        (First    => Seconds (Value (Line, "first")),
-         Last     => Seconds (Value (Line, "last")),
-         Command  => To_Unbounded_String (Value (Line, "command")),
-         Answer   => To_Unbounded_String (Value (Line, "answer")),
-         Accepted => Value (Line, "reload") = "accepted",
-         Interval =>
-           (if Interval = "" then 0.0
-            else Duration'Value (Interval) / 1000));
-   end Note_Of;
 
    function Wire_Text
      (Object : in out Emulator; Prefixes : String := "MT") return String
@@ -226,8 +226,6 @@ package body Emulators is
       Request : constant String :=
         "GET " & Path & " HTTP/1.0" & ASCII.CR & ASCII.LF
         & ASCII.CR & ASCII.LF;
-      Bytes   : Stream_Element_Array (1 .. Request'Length)
-        with Import, Address => Request'Address;
       Socket  : Socket_Type;
       Used    : Stream_Element_Offset := 0;
       Last    : Stream_Element_Offset;
@@ -238,7 +236,7 @@ package body Emulators is
         (Socket,
          (Family_Inet, Loopback_Inet_Addr,
           Port_Type'Value (Url (First .. Index (Url, "/", First) - 1))));
-      Send_Socket (Socket, Bytes, Last);
+      Whole_Sends.Send (Socket, Request);
       loop
          Receive_Socket (Socket, Buffer (Used + 1 .. Room), Last);
          exit when Last <= Used;

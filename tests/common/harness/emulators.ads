@@ -46,8 +46,6 @@ package Emulators is
       --  of the command's bytes
       Command     : Unbounded_String;
       Answer      : Unbounded_String;
-      Accepted    : Boolean := False;
-      --  of a reload: inside its window
       Interval    : Duration := 0.0;
       --  of a reload: since the previous one
    end record;

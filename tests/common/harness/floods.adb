@@ -1,13 +1,13 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
 --  Others who connect.
 
-with Ada.Streams;    use Ada.Streams;
 with Ada.Unchecked_Deallocation;
 with GNAT.Sockets;   use GNAT.Sockets;
 with Interfaces.C;   use Interfaces.C;
 
 with Libc;
 with Polls;
+with Whole_Sends;
 
 package body Floods is
 
@@ -22,11 +22,8 @@ package body Floods is
 
    procedure Say (Socket : Socket_Type; Text : String) is
       --  Where it is connected
-      Data : Stream_Element_Array (1 .. Text'Length)
-        with Import, Address => Text'Address;
-      Last : Stream_Element_Offset;
    begin
-      Send_Socket (Socket, Data, Last);
+      Whole_Sends.Send (Socket, Text);
    exception
       when Socket_Error =>
          --  not yet, or no longer

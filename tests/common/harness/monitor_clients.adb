@@ -16,6 +16,7 @@ with Expectations;          use Expectations;
 with Network_Links;
 with Own_Process;
 with Polls;
+with Whole_Sends;
 
 package body Monitor_Clients is
 
@@ -285,18 +286,8 @@ package body Monitor_Clients is
    end Send_Line;
 
    function Try_Send (Object : in out Client; Bytes : String) return Boolean is
-      Data  : Stream_Element_Array (1 .. Bytes'Length)
-        with Import, Address => Bytes'Address;
-      First : Stream_Element_Offset := 1;
-      Last  : Stream_Element_Offset;
    begin
-      while First <= Data'Last loop
-         Send_Socket (Object.Inner.Socket, Data (First .. Data'Last), Last);
-         if Last < First then
-            return False;
-         end if;
-         First := Last + 1;
-      end loop;
+      Whole_Sends.Send (Object.Inner.Socket, Bytes);
       return True;
    exception
       when Socket_Error =>

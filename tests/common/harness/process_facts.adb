@@ -8,6 +8,7 @@ with Ada.Strings.Unbounded;   use Ada.Strings.Unbounded;
 with Ada.Text_IO;             use Ada.Text_IO;
 with GNAT.Directory_Operations;
 
+with Child_Processes;         use Child_Processes;
 with Expectations;            use Expectations;
 with Instants;                use Instants;
 with Libc;
@@ -62,29 +63,32 @@ package body Process_Facts is
       return (if Text = "" then 0 else Natural'Value (Text));
    end Status_Number;
 
-   procedure For_Each_Entry
-     (Path : String; Action : not null access procedure (Name : String))
-   is
-      --  Of a folder whose entries may vanish meanwhile
+   function Entries (Path : String) return Arguments is
+      --  Of a folder; none where there is none
       use GNAT.Directory_Operations;
       --  Ada.Directories leaves out what it cannot find, such as sockets
       Folder : Dir_Type;
       Name   : String (1 .. 255);
       Last   : Natural;
+      Result : Arguments;
    begin
       Open (Folder, Path);
       loop
          Read (Folder, Name, Last);
          exit when Last = 0;
          if Name (1 .. Last) not in "." | ".." then
-            Action (Name (1 .. Last));
+            Result.Append (Name (1 .. Last));
          end if;
       end loop;
       Close (Folder);
+      return Result;
    exception
       when Directory_Error =>
-         null;
-   end For_Each_Entry;
+         return Result;
+   end Entries;
+
+   function Tasks (Process : int) return Arguments is
+     (Entries (Folder (Process) & "/task"));
 
    function State (Process : int) return String is
      (File_Line (Folder (Process) & "/stat") & " "
@@ -100,17 +104,8 @@ package body Process_Facts is
      (Status_Number (Process, "Threads"));
 
    function Footprint_Of (Process : int) return Footprint is
-      Result : Footprint :=
-        (Resident_Kilobytes (Process), Threads (Process), Descriptors => 0);
-
-      procedure Count (Name : String) is
-      begin
-         Result.Descriptors := Result.Descriptors + Boolean'Pos (Name /= "");
-      end Count;
-   begin
-      For_Each_Entry (Folder (Process) & "/fd", Count'Access);
-      return Result;
-   end Footprint_Of;
+     (Resident_Kilobytes (Process), Threads (Process),
+      Descriptors => Natural (Entries (Folder (Process) & "/fd").Length));
 
    procedure Expect_Flat
      (Process : int; Before : Footprint; Kilobytes : Natural := 1024)
@@ -136,29 +131,29 @@ package body Process_Facts is
    end Expect_Flat;
 
    function Inherited (Process : int) return String is
-      Result : Unbounded_String;
-
-      procedure Judge (Name : String) is
-         Close_On_Exec : constant := 8#2000000#;
-         Flags  : constant String :=
-           Field (Folder (Process) & "/fdinfo/" & Name, "flags");
-         Target : String (1 .. 4_096);
-         Size   : long;
-      begin
-         if Natural'Value (Name) > 2 and then Flags /= ""
-           and then Natural'Value ("8#" & Flags & "#") / Close_On_Exec mod 2
-                    = 0
-         then
-            Size := Libc.Readlink
-              (To_C (Folder (Process) & "/fd/" & Name), Target'Address,
-               Target'Length);
-            Append (Result,
-                    " " & Name & ":"
-                    & Target (1 .. Natural (long'Max (0, Size))));
-         end if;
-      end Judge;
+      Close_On_Exec : constant := 8#2000000#;
+      Result        : Unbounded_String;
+      Target        : String (1 .. 4_096);
+      Size          : long;
    begin
-      For_Each_Entry (Folder (Process) & "/fd", Judge'Access);
+      for Name of Entries (Folder (Process) & "/fd") loop
+         declare
+            Flags : constant String :=
+              Field (Folder (Process) & "/fdinfo/" & Name, "flags");
+         begin
+            if Natural'Value (Name) > 2 and then Flags /= ""
+              and then Natural'Value ("8#" & Flags & "#") / Close_On_Exec mod 2
+                       = 0
+            then
+               Size := Libc.Readlink
+                 (To_C (Folder (Process) & "/fd/" & Name), Target'Address,
+                  Target'Length);
+               Append (Result,
+                       " " & Name & ":"
+                       & Target (1 .. Natural (long'Max (0, Size))));
+            end if;
+         end;
+      end loop;
       return To_String (Result);
    end Inherited;
 
@@ -172,44 +167,33 @@ package body Process_Facts is
       Wanted : constant String :=
         To_Lower (Head (Name, Natural'Min (Name'Length, 15)));
       Result : int := 0;
-
-      procedure Compare (Thread : String) is
-      begin
+   begin
+      for Thread of Tasks (Process) loop
          if To_Lower (Name_Of (Process, Thread)) = Wanted then
             Result := int'Value (Thread);
          end if;
-      end Compare;
-   begin
-      For_Each_Entry (Folder (Process) & "/task", Compare'Access);
-      if Result = 0 then
-         raise Failed with
-           "no thread " & Name & " among" & Thread_Names (Process);
-      end if;
+      end loop;
+      Check (Result > 0, "no thread " & Name & " among"
+             & Thread_Names (Process));
       return Result;
    end Thread_Named;
 
    function Thread_Names (Process : int) return String is
       Result : Unbounded_String;
-
-      procedure Add (Thread : String) is
-      begin
-         Append (Result, " " & Name_Of (Process, Thread));
-      end Add;
    begin
-      For_Each_Entry (Folder (Process) & "/task", Add'Access);
+      for Thread of Tasks (Process) loop
+         Append (Result, " " & Name_Of (Process, Thread));
+      end loop;
       return To_String (Result);
    end Thread_Names;
 
    function Real_Time_Threads (Process : int) return Natural is
       Result : Natural := 0;
-
-      procedure Count (Thread : String) is
-      begin
+   begin
+      for Thread of Tasks (Process) loop
          Result := Result + Boolean'Pos
            (Libc.Sched_Getscheduler (int'Value (Thread)) = Libc.Sched_Fifo);
-      end Count;
-   begin
-      For_Each_Entry (Folder (Process) & "/task", Count'Access);
+      end loop;
       return Result;
    end Real_Time_Threads;
 

@@ -15,7 +15,7 @@ package body Standstills is
 
    use System.Multiprocessors;
 
-   Noted : constant Duration := 0.000_5;
+   Counted : constant Duration := 0.000_5;
 
    type Stall is record
       From, To : Instant := Never;
@@ -31,8 +31,7 @@ package body Standstills is
       procedure Add (Gap : Duration; Item : Stall);
       procedure Clear;
       function Longest return Duration;
-      function Next_After (Time : Instant) return Stall;
-      --  The one that begins first of those that end after Time
+      function Noted return Stall_Array;
    private
       Worst  : Duration := 0.0;
       Begun  : Instant := Never;
@@ -58,7 +57,7 @@ package body Standstills is
       begin
          Begun := Never;
          Worst := Duration'Max (Worst, Gap);
-         if Gap >= Noted then
+         if Gap >= Counted then
             Stalls (Place) := Item;
             Place := Place + 1;
          end if;
@@ -72,18 +71,7 @@ package body Standstills is
       function Longest return Duration is
         (if Begun = Never then Worst else Duration'Max (Worst, Now - Begun));
 
-      function Next_After (Time : Instant) return Stall is
-         Result : Stall;
-      begin
-         for Item of Stalls loop
-            if Item.To > Time
-              and then (Result.To = Never or else Item.From < Result.From)
-            then
-               Result := Item;
-            end if;
-         end loop;
-         return Result;
-      end Next_After;
+      function Noted return Stall_Array is (Stalls);
 
    end Stall_Record;
 
@@ -163,28 +151,23 @@ package body Standstills is
 
    function Longest_Line return Duration is (Of_Lines.Longest);
 
-   function Within (From, To : Instant) return Duration is
-      Time   : Instant := From;
-      Item   : Stall;
-      Other  : Stall;
-      Result : Duration := 0.0;
+   procedure Tell
+     (Since  : Instant;
+      Action : not null access procedure (From, To : Instant))
+   is
+      procedure Tell_Of (Stalls : Stall_Array) is
+      begin
+         for Item of Stalls loop
+            if Item.To > Since then
+               Action (Item.From, Item.To);
+            end if;
+         end loop;
+      end Tell_Of;
+
    begin
-      loop
-         Item := Of_Processors.Next_After (Time);
-         Other := Of_Lines.Next_After (Time);
-         if Item.To = Never
-           or else (Other.To /= Never and then Other.From < Item.From)
-         then
-            Item := Other;
-         end if;
-         exit when Item.To = Never or else Item.From >= To;
-         Time := Instant'Max (Time, Item.From);
-         Result := Result + (Instant'Min (To, Item.To) - Time);
-         Time := Item.To;
-         exit when Time >= To;
-      end loop;
-      return Result;
-   end Within;
+      Tell_Of (Of_Processors.Noted);
+      Tell_Of (Of_Lines.Noted);
+   end Tell;
 
    function Taken_By_Host return Duration is
       --  The eighth figure of the line: after user, nice, system, idle,

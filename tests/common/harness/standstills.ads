@@ -23,11 +23,13 @@ package Standstills is
    function Longest_Line return Duration;
    --  The longest that such a byte took since Forget, or has been under way
 
-   function Within (From, To : Instant) return Duration;
-   --  For how much of that time a processor, or a byte, may have stood still:
-   --  between two looks that were half a millisecond further apart than they
-   --  should, or from a byte's sending to its arrival half a millisecond later
-   --  or more. Only of the newest stalls, thousands of each
+   procedure Tell
+     (Since  : Instant;
+      Action : not null access procedure (From, To : Instant));
+   --  When a processor, or a byte, may have stood still since then: between
+   --  two looks that were half a millisecond further apart than they should,
+   --  or from a byte's sending to its arrival half a millisecond later or
+   --  more. Only of the newest stalls, thousands of each
 
    function Taken_By_Host return Duration;
    --  Time that the host of a virtual machine has stolen from all processors

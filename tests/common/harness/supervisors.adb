@@ -9,6 +9,7 @@ with Ada.Strings.Unbounded;   use Ada.Strings.Unbounded;
 with Expectations;            use Expectations;
 with Libc;
 with Plain_Numbers;           use Plain_Numbers;
+with Process_Facts;
 
 package body Supervisors is
 
@@ -150,6 +151,16 @@ package body Supervisors is
       Object.Send_Signal (Libc.Sigterm);
       Object.Expect_Exit (0);
    end Expect_End;
+
+   procedure Fail (Object : in out Supervisor; Thread : String) is
+   begin
+      Check
+        (Libc.Tgkill
+           (Object.Pid, Process_Facts.Thread_Named (Object.Pid, Thread),
+            Libc.Sigsegv) = 0,
+         "the thread cannot be signalled");
+      Object.Expect_Exit (3);
+   end Fail;
 
    procedure Start_Monitor
      (Tool : in out Child; Port : Positive; Lines : String;

@@ -84,6 +84,10 @@ package Supervisors is
    procedure Expect_End (Object : in out Supervisor);
    --  Sends SIGTERM; raises Failed unless it ends with status 0
 
+   procedure Fail (Object : in out Supervisor; Thread : String);
+   --  Makes a task fail, by a signal that the run time turns into an
+   --  exception; raises Failed unless the supervisor ends with status 3
+
    procedure Start_Monitor
      (Tool : in out Child; Port : Positive; Lines : String;
       Options : String := "");

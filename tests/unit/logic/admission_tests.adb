@@ -12,34 +12,6 @@ procedure Admission_Tests is
    LF : constant Character := ASCII.LF;
    CR : constant Character := ASCII.CR;
 
-   Usual : constant String := "correct-horse-battery";
-
-   function To_Token (Text : String) return Token is
-      --  A good one
-   begin
-      return Result : Token do
-         Read_Token (Text, Result);
-         Assert (Result.Length > 0, "no token: " & Text);
-      end return;
-   end To_Token;
-
-   procedure Expect
-     (Text : String; Outcome : Verdict; Of_Token : String := Usual)
-   is
-      --  After all of Text, or where it is decided before
-      Known : constant Token := To_Token (Of_Token);
-      R     : Reader;
-   begin
-      for C of Text loop
-         Assert
-           (Decision (R, Known) = Undecided, "decided too early: " & Text);
-         R.Length := R.Length + 1;
-         R.Data (R.Length) := C;
-      end loop;
-      Assert (Decision (R, Known) = Outcome,
-              Decision (R, Known)'Image & " after " & Text);
-   end Expect;
-
    procedure Expect_Shown (Line : String; Shown : String) is
       Text : Texts.Text := Texts.To_Text ("it: ");
    begin
@@ -96,15 +68,6 @@ procedure Admission_Tests is
       Assert (not Is_Kept_Secret (8#100444#, Root), "root's, others read");
    end Test_Modes;
 
-   procedure Test_Right is
-   begin
-      Expect ("AUTH:" & Usual, Undecided);
-      Expect ("AUTH:" & Usual & CR, Undecided);
-      Expect ("AUTH:" & Usual & LF, Right);
-      Expect ("AUTH:" & Usual & CR & LF, Right);
-      Expect ("", Undecided);
-   end Test_Right;
-
    procedure Test_Shown is
       Whole : constant String := "--MSSG:AUTH:secret";
       Full  : Texts.Text := Texts.To_Text ((1 .. 500 => '.'));
@@ -126,37 +89,8 @@ procedure Admission_Tests is
               "cut at its end: " & Texts.Image (Full));
    end Test_Shown;
 
-   procedure Test_Too_Long is
-      Longest : constant String := (1 .. Max_Token => 'x');
-   begin
-      Expect ("AUTH:" & Longest & "xx", Wrong);
-      Expect ("AUTH:" & Longest & "x" & LF, Wrong);
-      Expect ("AUTH:" & Longest & CR & CR, Wrong);
-      Expect ((1 .. Max_Line - 1 => 'x'), Undecided);
-      Expect ((1 .. Max_Line => 'x'), Wrong);
-      Expect ((1 .. Max_Line => ASCII.NUL), Wrong);
-      Expect ("AUTH:" & Longest & CR & LF, Right, Longest);
-      Expect ("AUTH:" & Longest & CR & 'x', Wrong, Longest);
-   end Test_Too_Long;
-
-   procedure Test_Wrong is
-   begin
-      for Line of Split
-        ("|" & CR & "|ROPN|AUTH|AUTH:|" & Usual & "|auth:" & Usual
-         & "|AUTH " & Usual & "|AUTH: " & Usual & "| AUTH:" & Usual
-         & "|AUTH:" & Usual & " |AUTH:" & Usual & CR & CR
-         & "|AUTH:" & Usual & ASCII.NUL & "|AUTH:" & ASCII.NUL & Usual
-         & "|AUTH:" & Usual & Usual)
-      loop
-         Expect (Line & LF, Wrong);
-      end loop;
-   end Test_Wrong;
-
 begin
    Run_Test ("the file of a token", Test_Files'Access);
    Run_Test ("who may read it", Test_Modes'Access);
-   Run_Test ("the right line", Test_Right'Access);
-   Run_Test ("wrong lines", Test_Wrong'Access);
-   Run_Test ("a line without end", Test_Too_Long'Access);
    Run_Test ("what the log shows", Test_Shown'Access);
 end Admission_Tests;

@@ -17,7 +17,6 @@ with Unit_Runs; use Unit_Runs;
 
 procedure Mission_Runs_Tests is
 
-   use type Commands.Movement_Kind;
    use type Commands.Request_Kind;
 
    Size    : constant Arena_Size := (80, 60);
@@ -36,6 +35,66 @@ procedure Mission_Runs_Tests is
 
    type Answer is (Taken, Refused, Unanswered, Closed);
    --  What becomes of all requests
+
+   procedure Play (Script : String) is
+      --  Of a robot that stands. Its words: "@X,Y,TO_X,TO_Y" begins a mission
+      --  from there to one point, in micrometres; "+N": so many ms pass;
+      --  ":N" is an image that shows the robot, its heading in degrees,
+      --  "hidden" one without it; "stop", "TURN" and "MOVE" are ordered next,
+      --  "asks" asks whether it moves, and it does not; "nothing" is; "looks"
+      --  only in 10 ms or more
+      R       : Missions.Runs.Run;
+      Next    : Action;
+      Now     : Microseconds := 0;
+      Images  : Natural := 0;
+      Here    : Place;
+      Heading : Bearing := 0;
+
+      procedure Carry_Out (Word : String) is
+         Part : constant Line_Vectors.Vector :=
+           Split (Word (Word'First + 1 .. Word'Last), ',');
+
+         function Number (Place : Positive) return Micrometres is
+           (Micrometres'Value (Part (Place)));
+
+      begin
+         if Word (Word'First) = '@' then
+            Here := (Number (1), Number (2));
+            Start (R, Size, (1 => (Number (3), Number (4)), others => Here), 1,
+                   Now);
+         elsif Word (Word'First) = '+' then
+            Now := Now + 1_000 * Microseconds'Value (Part (1));
+         elsif Word (Word'First) = ':' or else Word = "hidden" then
+            Images := Images + 1;
+            if Word /= "hidden" then
+               Heading := 1_000_000 * Bearing'Value (Part (1));
+            end if;
+            See (R, (Images, Now, Word /= "hidden", (Here, Heading)));
+         elsif Word = "looks" then
+            Assert (Next_Look (R, Now) >= Now + 10_000, "looks all the time");
+         else
+            Step (R, Now, Next);
+            Assert
+              (not Has_Ended (R)
+               and then
+                 (if Word = "nothing" then Next.Kind = Nothing
+                  elsif Word = "asks" then Next.Kind = Ask
+                  else Next.Kind = Order
+                    and then
+                      (if Word = "stop" then Next.Request.Kind = Commands.Stop
+                       else Next.Request.Command.Kind'Image = Word)),
+               Word & " at" & Now'Image & ": " & Next.Kind'Image);
+            if Next.Kind /= Nothing then
+               Tell (R, Said ('0'), Now);
+            end if;
+         end if;
+      end Carry_Out;
+
+   begin
+      for Word of Split (Script, ' ') loop
+         Carry_Out (Word);
+      end loop;
+   end Play;
 
    procedure Run_Until_End
      (Image_Every : Positive;
@@ -267,34 +326,6 @@ procedure Mission_Runs_Tests is
       Assert (Permitted (200, 75, 0, 300), "along the border");
    end Test_Guards;
 
-   procedure Test_Old_Position is
-      R    : Missions.Runs.Run;
-      Next : Action;
-      Now  : Microseconds := 0;
-   begin
-      --  Two images with the robot, then two without it: in time for
-      --  everything, but the robot was seen too long ago
-
-      Start (R, Size, Points, 1, Now);
-      Step (R, Now, Next);
-      Assert (Next.Kind = Order
-              and then Next.Request.Kind = Commands.Stop,
-              "the robot is stopped first");
-      Tell (R, Said ('0'), Now);
-      for K in 1 .. 4 loop
-         Now := Now + Period;
-         See (R, (K, Now, K < 3, (Corner, 0)));
-      end loop;
-      Step (R, Now + 150_000, Next);
-      Assert (not Has_Ended (R) and then Next.Kind = Nothing, "an order");
-
-      See (R, (5, Now + 160_000, True, (Corner, 0)));
-      Step (R, Now + 160_000, Next);
-      Assert (Next.Kind = Order
-              and then Next.Request.Command.Kind = Commands.Turn,
-              "seen again, no turn to the target");
-   end Test_Old_Position;
-
    procedure Test_Slow is
       --  7 mm a second, on the way to a point that is right ahead
       R     : Missions.Runs.Run;
@@ -320,73 +351,6 @@ procedure Mission_Runs_Tests is
       Assert (Measured (R) in 3 .. 4, Measured (R)'Image & " %");
    end Test_Slow;
 
-   procedure Test_Wait_For_Position is
-      Here   : constant Place := (200_000, 300_000);
-      Aside  : constant Place_Array :=
-        (1 => (499_000, 317_500), others => (0, 0));
-      --  about 300 mm away, 3.3 degrees to the left of x
-      R      : Missions.Runs.Run;
-      Next   : Action;
-      Now    : Microseconds := 0;
-      Images : Natural := 0;
-
-      procedure See (After : Microseconds; Seen : Boolean; Heading : Bearing)
-      is
-      begin
-         Now := Now + After;
-         Images := Images + 1;
-         See (R, (Images, Now, Seen, (Here, Heading)));
-      end See;
-
-      procedure Turns is
-         --  Asserts that a turn is ordered, and that it is taken
-      begin
-         Step (R, Now, Next);
-         Assert (Next.Kind = Order
-                 and then Next.Request.Command.Kind = Commands.Turn,
-                 "no turn");
-         Tell (R, Said ('0'), Now);
-      end Turns;
-
-      procedure Rests is
-         --  The robot is asked whether it moves, and does not
-      begin
-         Step (R, Now, Next);
-         Assert (Next.Kind = Ask, "does it move?");
-         Tell (R, Said ('0'), Now);
-      end Rests;
-
-   begin
-      --  The first turn is looked at. The second need not be, but ends while
-      --  the robot is hidden
-
-      Start (R, Size, Aside, 1, Now);
-      Step (R, Now, Next);
-      Tell (R, Said ('0'), Now);
-      See (Period, True, -45_000_000);
-      See (Period, True, -45_000_000);
-      Turns;
-      See (250_000, True, -25_000_000);
-      Now := Now + 250_000;
-      Rests;
-      See (Period, True, -5_000_000);
-      See (Period, True, -5_000_000);
-      Turns;
-      See (Period, False, 0);
-      See (Period, False, 0);
-      Now := Now + 110_000;
-      Rests;
-      Step (R, Now, Next);
-      Assert (not Has_Ended (R) and then Next.Kind = Nothing, "an order");
-      Assert (Next_Look (R, Now) >= Now + 10_000, "looks all the time");
-
-      See (10_000, True, 3_000_000);
-      Step (R, Now, Next);
-      Assert (Next.Kind = Order
-              and then Next.Request.Command.Kind = Commands.Move,
-              "seen again, no drive");
-   end Test_Wait_For_Position;
-
 begin
    Run_Test ("angles all around", Test_Angles'Access);
    Run_Test ("what the guards permit", Test_Guards'Access);
@@ -396,6 +360,17 @@ begin
              Test_Far_From_Ideal'Access);
    Run_Test ("a slow robot", Test_Slow'Access);
    Run_Test ("why missions end", Test_Ends'Access);
-   Run_Test ("no order from an old position", Test_Old_Position'Access);
-   Run_Test ("waits for a new position", Test_Wait_For_Position'Access);
+   Run_Scripts
+     (Play'Access,
+      --  Two images with the robot, then two without it: in time for
+      --  everything, but the robot was seen too long ago
+      "no order from an old position: @100_000,100_000,700_000,500_000 stop"
+      & " +100 :0 +100 :0 +100 hidden +100 hidden +150 nothing +10 :0 TURN"
+
+      --  The point is about 300 mm away, 3.3 degrees to the left. The first
+      --  turn is looked at. The second need not be, but ends while the robot
+      --  is hidden
+      & "|waits for a new position: @200_000,300_000,499_000,317_500 stop"
+      & " +100 :-45 +100 :-45 TURN +250 :-25 +250 asks +100 :-5 +100 :-5 TURN"
+      & " +100 hidden +100 hidden +110 asks nothing looks +10 :3 MOVE");
 end Mission_Runs_Tests;

@@ -99,44 +99,6 @@ procedure Supervisor_Model_Tests is
       Assert (Deadlines_Met (Analysed (Cortex)), "a deadline on the A53");
    end Test_Deadlines;
 
-   procedure Test_Flood is
-      Quiet : constant Analysis := Analysed (Cortex);
-      Amid  : constant Analysis :=
-        Analysed (Cortex, (Flood => True, others => <>));
-   begin
-      Assert (Promises_Kept (Amid), "a promise is broken");
-      Assert (Amid.Requirements (F12_At_Robot).Bound
-                > Quiet.Requirements (F12_At_Robot).Bound,
-              "orders do not feel it");
-      Assert (Amid.Requirements (F2_Admitted).Bound
-                > 2 * Amid.Bounds (Newcomer).Finish,
-              "newcomers do not wait");
-   end Test_Flood;
-
-   procedure Test_Missions is
-      Beside  : constant Load     := (Mission => True, others => <>);
-      Without : constant Analysis := Analysed;
-      Result  : constant Analysis := Analysed (Under => Beside);
-      Slow    : constant Analysis := Analysed (Cortex, Beside);
-   begin
-      Assert (All_Met (Result), "a deadline is missed");
-      Assert (Result.Requirements (Mission_Order).Limit = 100_000,
-              "an image and its order have another deadline");
-      Assert (Without.Requirements (Mission_Order).Limit = 0,
-              "orders of missions without missions");
-      for Name in Requirement_Name loop
-         if Name in F12_At_Robot | F11_Reload | F13_Level then
-            Assert
-              (Result.Requirements (Name).Bound
-               > Without.Requirements (Name).Bound,
-               Name'Image & " does not wait for what a mission has begun");
-         end if;
-      end loop;
-      Assert (Deadlines_Met (Slow), "a deadline is missed on the A53");
-      Assert (not Met (Slow.Requirements (Mission_Order)),
-              "the order is in time on the A53: claim it");
-   end Test_Missions;
-
    procedure Test_Late_Mission is
       Limit  : constant := 50_000;
       --  Schedule.Mission_Order_Limit
@@ -152,45 +114,6 @@ procedure Supervisor_Model_Tests is
       Assert (not Met (Result.Requirements (Mission_At_Robot)),
               "a slow robot is not seen");
    end Test_Late_Mission;
-
-   procedure Test_Radio is
-      Window : constant := 100_000;
-      --  So late, the robot accepts a reload still
-      Under  : Load :=
-        (Turnaround => Radio_Turnaround, Commands => Radio_Interval,
-         Time_Out   => Radio_Time_Out, others => <>);
-      Result : Analysis := Analysed (Under => Under);
-   begin
-      Assert (Result.Requirements (F11_Reload).Known
-              and then Result.Requirements (F11_Reload).Bound <= Window,
-              "the reload");
-      Assert (not Met (Result.Requirements (F12_At_Robot)),
-              "orders are in time by radio: claim it");
-      Under.Silent := True;
-      Result := Analysed (Under => Under);
-      Assert (Result.Requirements (F12_At_Robot).Bound
-              > Result.Requirements (F11_Reload).Limit + Radio_Time_Out,
-              "orders do not wait for the time-out");
-      Assert (Met (Result.Requirements (F13_Level)), "the battery");
-   end Test_Radio;
-
-   procedure Test_Report is
-      Result : Analysis;
-   begin
-      Analyse (Of_The_Report, One_Processor, (others => <>), (others => <>),
-               Result);
-      Assert (not Met (Result.Requirements (F11_Reload)), "F11");
-      Assert (not Met (Result.Requirements (F12_First_Byte)), "F12");
-      Assert (Met (Result.Requirements (F2_Admitted)), "F2");
-
-      --  What is late makes others late
-
-      Analyse (Of_The_Report, One_Processor, Cortex, (others => <>), Result);
-      Assert
-        (not Result.Bounds (Capture).Exists, "images leave time for more");
-      Assert (not Result.Bounds (Send_Image).Exists,
-              "an image is sent in time that is not made in time");
-   end Test_Report;
 
    procedure Test_Slow is
       Robot : constant Analysis :=
@@ -213,10 +136,6 @@ begin
    Run_Test ("every task of src/tasks is analysed", Test_Complete'Access);
    Run_Test ("every deadline is met, on a Cortex-A53 too, and no ceiling is"
              & " below a caller", Test_Deadlines'Access);
-   Run_Test ("a flood of newcomers is borne", Test_Flood'Access);
-   Run_Test ("an order follows its image in time", Test_Missions'Access);
    Run_Test ("an order that is late is not sent", Test_Late_Mission'Access);
-   Run_Test ("radios, and their time-out", Test_Radio'Access);
-   Run_Test ("the report's priorities miss F11 and F12", Test_Report'Access);
    Run_Test ("a slow robot, kernel or processor is seen", Test_Slow'Access);
 end Supervisor_Model_Tests;

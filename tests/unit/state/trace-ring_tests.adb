@@ -3,6 +3,7 @@
 
 with Ada.Directories;
 with Ada.Real_Time;    use Ada.Real_Time;
+with Ada.Strings.Unbounded; use type Ada.Strings.Unbounded.Unbounded_String;
 with Interfaces;       use Interfaces;
 
 with Programs;
@@ -15,7 +16,6 @@ with Unit_Runs;        use Unit_Runs;
 procedure Trace.Ring_Tests is
 
    use type Commands.Ticket;
-   use type Trace_Files.Nanoseconds;
 
    function Marked (Value : Commands.Ticket) return Event is
      (At_Time => Time_Of (Seconds_Count (Value mod 2 ** 32), Time_Span_Zero),
@@ -31,8 +31,7 @@ procedure Trace.Ring_Tests is
       Success : Boolean;
       Reason  : Texts.Text;
       Result  : Trace_Files.Trace;
-      Starts  : Natural := 0;
-      Sent    : Natural := 0;
+      Starts  : Natural;
    begin
       Trace.Open (Texts.To_Text (Path), Success, Reason);
       Assert (Success, Texts.Image (Reason));
@@ -56,21 +55,18 @@ procedure Trace.Ring_Tests is
       Success := Reason.Length = 0;
       Assert (Success or else Texts.Image (Reason) = "it takes too long",
               Texts.Image (Reason));
-      Trace_Files.Read (Path, Result);
+      Result := Trace_Files.Trace_Of (Path);
       Assert (Result.Recorded = Capacity + More, "recorded");
       for Item of Result.Events loop
-         Assert (Trace_Files.Name (Item) /= "release", "the oldest is kept");
-         Assert (Item.Time < 1_000_000_000_000, "a time of long ago");
-         if Trace_Files.Name (Item) = "job" then
-            Starts := Starts + 1;
-         elsif Trace_Files.Name (Item) = "out AACK" then
-            Sent := Sent + 1;
-         end if;
+         Assert (Item.What /= "release", "the oldest is kept");
+         Assert (Item.Time < 1_000.0, "a time of long ago");
       end loop;
+      Starts := Trace_Files.Count_Of (Result, "th_move", "start");
       Assert (Starts <= Capacity / 3 + 1
               and then (Starts >= Capacity / 3 - 1 or else not Success),
               Starts'Image & " jobs");
-      Assert (Sent = (if Success then 1 else 0), "the newest is missing");
+      Assert (Trace_Files.Count_Of (Result, "th_sendToMon", "out AACK")
+              = (if Success then 1 else 0), "the newest is missing");
       Programs.Remove_Temporary_Folder;
       --  it is over
       Trace.Put (Trace.Start, Th_Move);

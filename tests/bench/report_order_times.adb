@@ -21,7 +21,7 @@ with Samples;
 with Schedule;
 with Supervisors;
 
-package body Order_Times is
+procedure Report_Order_Times is
 
    Block : constant := 50;
    --  Exchanges through one of them before it is the other's turn: what
@@ -43,13 +43,20 @@ package body Order_Times is
    --  Beside_Traced: idle, with and without --trace in turns. Service: as
    --  systemd runs it, an ordinary user with CAP_SYS_NICE
 
-   type Distributions is array (Condition) of Distribution;
+   function Title (Under : Condition) return String is
+     (case Under is
+         when Idle           => "idle",
+         when Beside_Traced  => "idle, with --trace, to the same without",
+         when Loaded         => "full load",
+         when Service        => "idle, as a service",
+         when Loaded_Service => "full load, as a service",
+         when With_Gap       => "while images stream, default gap");
 
-   Orders, Answers : Distributions;
+   Orders, Answers : Distribution;
+   --  Under one condition
    Stops           : Samples.Set;
    Left_Out        : Natural := 0;
    --  exchanges that were repeated
-   Measured        : Boolean := False;
 
    Source : Generator;
    Amount : Natural := 0;
@@ -186,12 +193,14 @@ package body Order_Times is
                       & Said (Messages (Which)));
                Recover (Which);
             end loop;
-            Orders (Under) (Which).Add (Result.Order);
-            Answers (Under) (Which).Add (Result.Answer);
+            Orders (Which).Add (Result.Order);
+            Answers (Which).Add (Result.Answer);
          end loop;
       end Measure_Block;
 
    begin
+      Orders := (others => Samples.None);
+      Answers := (others => Samples.None);
       for Which in Place loop
          if Is_Taken (Which, Under) then
             Open_Line (Which);
@@ -246,7 +255,7 @@ package body Order_Times is
       Own_Process.Prefer_Real_Time (True);
       Serve (0.5);
 
-      while Orders (Under) (Ours).Count < Bench_Settings.Sample_Count loop
+      while Orders (Ours).Count < Bench_Settings.Sample_Count loop
          for Which in Place loop
             if Is_Taken (Which, Under) then
                Measure_Block (Which);
@@ -260,76 +269,41 @@ package body Order_Times is
       Close_All;
    end Measure;
 
-   procedure Measure_All is
+   procedure Put
+     (Section, About, Name : String;
+      Under                : Condition;
+      Times                : Distribution) is
    begin
-      if not Measured then
-         for Under in Condition loop
-            if Measurable (Under) then
-               Measure (Under);
-            end if;
-         end loop;
-         Measured := True;
+      Reports.Begin_Section (Section, About);
+      if Under = Beside_Traced then
+         Reports.Put (Name & Title (Under), Times (Traced), Times (Ours));
+      else
+         Reports.Put (Name & Title (Under), Times (Ours), Times (Floor));
       end if;
-   end Measure_All;
-
-   procedure Compare (Name : String; Which : Distributions) is
-      --  Against the goal of orders and answers, under each condition that has
-      --  been measured
-      use Reports;
-
-      procedure Compare_One (Title : String; Under : Condition) is
-         Both : Distribution renames Which (Under);
-      begin
-         if Measurable (Under) then
-            Reports.Compare
-              (Name & ", " & Title, Both (Ours), Both (Floor),
-               ((Median_Ratio, 1.5), (P99_Ratio, 2.0)));
-         end if;
-      end Compare_One;
-
-   begin
-      Compare_One ("idle", Idle);
-      Reports.Compare
-        (Name & ", idle, with --trace, to the same without",
-         Which (Beside_Traced) (Traced), Which (Beside_Traced) (Ours),
-         (1 => (Median_Ratio, 1.02)));
-      Compare_One ("full load", Loaded);
-      Compare_One ("idle, as a service", Service);
-      Compare_One ("full load, as a service", Loaded_Service);
-   end Compare;
-
-   procedure Report_Orders is
-      Limit : Duration;
-   begin
-      Reports.Begin_Section
-        ("orders", "monitor's order to first byte at the robot's end");
-      Measure_All;
-      Compare ("order", Orders);
-      Limit := Silence_Limit + Orders (Idle) (Ours).Quantile (0.999);
-      Reports.Put ("stop while another order waits for a silent robot", Stops);
-      Reports.Put_Number
-        ("longest stop, beyond the time-out and an order's p99.9",
-         1.0E6 * Float (Stops.Quantile (1.0) - Limit), "us",
-         Wanted => (1 => (Reports.Value, 0.0)));
-      Reports.Put_Note
-        (Image (Left_Out)
-         & " exchanges were repeated: something else was on the line, or"
-         & " they failed");
-      Reports.End_Section;
-   end Report_Orders;
-
-   procedure Report_Answers is
-   begin
-      Reports.Begin_Section
-        ("answers", "robot's answer to the monitor's receipt");
-      Measure_All;
-      Compare ("answer", Answers);
-      Reports.Put ("answer, while images stream, default gap",
-                   Answers (With_Gap) (Ours),
-                   (1 => (Reports.P999, 10_000.0)));
-      Reports.End_Section;
-   end Report_Answers;
+   end Put;
 
 begin
    Reset (Source, 5544);
-end Order_Times;
+   for Under in Condition loop
+      if Measurable (Under) then
+         Measure (Under);
+         Put ("answers", "robot's answer to the monitor's receipt", "answer, ",
+              Under, Answers);
+         Put ("orders", "monitor's order to first byte at the robot's end",
+              "order, ", Under, Orders);
+      end if;
+      if Under = Idle then
+         Reports.Put
+           ("stop while another order waits for a silent robot", Stops);
+         Reports.Put_Number
+           ("longest stop, beyond the time-out and an order's p99.9",
+            1.0E6 * Float
+              (Stops.Quantile (1.0) - Silence_Limit
+               - Orders (Ours).Quantile (0.999)), "us");
+      end if;
+   end loop;
+   Reports.Put_Note
+     (Image (Left_Out)
+      & " exchanges were repeated: something else was on the line, or they"
+      & " failed");
+end Report_Order_Times;
