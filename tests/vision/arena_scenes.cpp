@@ -287,7 +287,7 @@ Scene desk_scene(Random &random) {
   stage.add_keyboard({random.in(-15, 15), random.in(0, 15)},
                      random.in(-0.3, 0.3), random.in(35, 50));
   for (int i = random.whole(3, 8); i > 0; --i)
-    stage.add_thing({random.in(-45, 45), random.in(-30, 30)});
+    stage.add_thing({random.in(-45, 45), random.in(-30, 30)}, false);
   return {stage.take()};
 }
 

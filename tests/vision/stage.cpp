@@ -261,9 +261,9 @@ void Stage::add_code_board(cv::Point2d at, double angle, double size) {
   }
 }
 
-void Stage::add_thing(cv::Point2d at) {
+void Stage::add_thing(cv::Point2d at, bool framed) {
   const double angle = random.in(0, 2 * M_PI);
-  switch (random.pick(8)) {
+  switch (random.pick(framed ? 8 : 7)) {
     case 0:
     case 1: add_sheet(at, angle, random.in(15, 25)); break;
     case 2: add_book(at, angle); break;
@@ -271,13 +271,13 @@ void Stage::add_thing(cv::Point2d at) {
       add_cable(at, at + cv::Point2d(random.in(-80, 80), random.in(-80, 80)));
       break;
     case 4: add_chess_board(at, angle, random.in(15, 35)); break;
-    case 5:
-      add_poster(at, angle, random.in(20, 50), random.chance(0.5) ? 1 : 1.6);
-      break;
-    case 6: add_keyboard(at, angle, random.in(35, 45)); break;
-    default:
+    case 5: add_keyboard(at, angle, random.in(35, 45)); break;
+    case 6:
       flat(colour(random.in(20, 200), 0.8), at,
            {random.in(3, 12), random.in(3, 12)}, angle, random.in(0, 2));
+      break;
+    default:
+      add_poster(at, angle, random.in(20, 50), random.chance(0.5) ? 1 : 1.6);
   }
 }
 
