@@ -46,6 +46,7 @@ bool inside(const Outline &one, const Outline &other) {
 // with an arena from those without.
 constexpr double surely = 0.9;  // a grade that only an inner border can excel
 constexpr double least_grade = 0.48;
+constexpr double least_long = 0.3;         // of the image's width
 constexpr double least_support = 0.5;      // in the small image
 constexpr double least_alike = 0.7, least_weakest = 0.25;
 constexpr double least_contrast = 10.0;    // grey levels
@@ -112,9 +113,14 @@ bool settle_exactly(const Images &images, Outline &outline,
 // Whether it is the border of a plain field, darker than the border.
 bool is_arena(const Images &images, const std::vector<Spot> &spots,
               const Outline &outline, const Evidence &evidence) {
-  double dark = 0.0, plain = 0.0;
+  double dark = 0.0, plain = 0.0, longest = 0.0;
   look_inside(images.small, outline, evidence, dark, plain);
-  return is_field(outline, exactly) && grade(evidence) >= least_grade &&
+  const View view(images.small);
+  for (int k = 0; k < 4; ++k)
+    longest = std::max(longest, length(view.pixel(outline.shown((k + 1) % 4)) -
+                                       view.pixel(outline.shown(k))));
+  return longest >= least_long * images.small.cols &&
+         is_field(outline, exactly) && grade(evidence) >= least_grade &&
          evidence.alike >= least_alike &&
          evidence.weakest >= least_weakest &&
          evidence.usual >= least_contrast && dark >= least_dark &&

@@ -225,7 +225,10 @@ bool align_marker(const cv::Mat &grey, unsigned bits,
   constexpr double small = 21.0;  // pixels a side
   const double worst =
       size_of(start) > small && has_spot(modules) ? 0.075 : 0.15;
+  // Edges of small markers overshoot; more is no black and white.
+  constexpr double brightest = 300.0;
   if (!align(grey, shape, used, perspective, worst, fit) ||
+      fit.contrast > brightest ||
       !is_certain(bits, doubts(bits, contrast, fit)))
     return false;
   for (int k = 0; k < 4; ++k)
