@@ -20,7 +20,9 @@ Row false_row(const char *name, Scene (*make)(Random &),
 
 Row marker_row(const std::string &name, const MarkerOptions &options,
                double goal = marker_goal) {
-  return {name, Row::markers, goal, marker_brief, marker_full,
+  //  Where many are missed, few scenes say little
+  return {name, Row::markers, goal,
+          goal < marker_goal ? 4 * marker_brief : marker_brief, marker_full,
           [options](Random &random, int) {
             return marker_scene(random, options);
           }};
