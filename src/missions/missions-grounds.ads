@@ -13,7 +13,7 @@ with Vision;
 
 package Missions.Grounds with SPARK_Mode is
 
-   pragma Annotate (GNATprove, Terminating, Missions.Grounds);
+   pragma Annotate (GNATprove, Terminating, Missions.Grounds);  --  proved
 
    use type Robot.Session.Mode_Kind;
    use type Vision.Mode.Stage_Kind;

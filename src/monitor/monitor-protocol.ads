@@ -7,7 +7,7 @@ with Missions; use Missions;
 
 package Monitor.Protocol with SPARK_Mode is
 
-   pragma Annotate (GNATprove, Terminating, Monitor.Protocol);
+   pragma Annotate (GNATprove, Terminating, Monitor.Protocol);  --  proved
 
    pragma Assertion_Policy (Subprogram_Variant => Ignore);
    --  Proved; GNAT 12 cannot compile the run-time check.

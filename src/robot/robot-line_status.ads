@@ -10,7 +10,7 @@ with Schedule;
 
 package Robot.Line_Status with SPARK_Mode is
 
-   pragma Annotate (GNATprove, Terminating, Robot.Line_Status);
+   pragma Annotate (GNATprove, Terminating, Robot.Line_Status);  --  proved
 
    use type Requests.Source;
    use type Session.Mode_Kind;

@@ -8,7 +8,7 @@ with Schedule;
 
 package Robot.Requests with SPARK_Mode is
 
-   pragma Annotate (GNATprove, Terminating, Robot.Requests);
+   pragma Annotate (GNATprove, Terminating, Robot.Requests);  --  proved
 
    use type Schedule.Task_Name;
 

@@ -6,7 +6,7 @@ with Interfaces.C; use Interfaces.C;
 
 package Vision.C_Shapes with SPARK_Mode, Pure is
 
-   pragma Annotate (GNATprove, Terminating, Vision.C_Shapes);
+   pragma Annotate (GNATprove, Terminating, Vision.C_Shapes);  --  proved
 
    type C_Point is record
       X, Y : double := 0.0;  --  in pixels

@@ -7,7 +7,7 @@ with Options;
 
 package Vision.Following with SPARK_Mode is
 
-   pragma Annotate (GNATprove, Terminating, Vision.Following);
+   pragma Annotate (GNATprove, Terminating, Vision.Following);  --  proved
 
    type Milliseconds is range 0 .. 10_000;
 

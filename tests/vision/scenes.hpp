@@ -75,7 +75,7 @@ struct Stage {
   void add_keyboard(cv::Point2d at, double angle, double width);
   void add_window(cv::Point2d at, double angle, double width);
   void add_code_board(cv::Point2d at, double angle, double size);
-  void add_thing(cv::Point2d at, bool framed = true);  //  also posters
+  void add_thing(cv::Point2d at);
   //  A robot without a marker on it, LENGTH from front to back; the height of
   //  its top
   double add_robot(cv::Point2d at, double angle, double length, double grey);

@@ -261,9 +261,9 @@ void Stage::add_code_board(cv::Point2d at, double angle, double size) {
   }
 }
 
-void Stage::add_thing(cv::Point2d at, bool framed) {
+void Stage::add_thing(cv::Point2d at) {
   const double angle = random.in(0, 2 * M_PI);
-  switch (random.pick(framed ? 8 : 7)) {
+  switch (random.pick(8)) {
     case 0:
     case 1: add_sheet(at, angle, random.in(15, 25)); break;
     case 2: add_book(at, angle); break;
