@@ -164,10 +164,33 @@ bool is_certain(unsigned bits, const Grid &doubt) {
   return true;
 }
 
+struct Marker {
+  Quad corner;
+  int id = 0;
+  double blur = 0.0;      // of the image, pixels; 0: not known
+  double distance = 0.0;  // of its alignment: Fit.distance
+};
+
 // The side of a square with the area of QUAD.
 double size_of(const Quad &quad) {
   return std::sqrt(std::fabs(cross(quad[2] - quad[0], quad[3] - quad[1])) /
                    2);
+}
+
+Point centre_of(const Quad &quad) {
+  return (quad[0] + quad[2]) / 2;
+}
+
+// Whether they share more than errors of their position make.
+bool overlap(const Quad &one, const Quad &other) {
+  constexpr double most = 0.1;  // of the smaller one
+  const auto polygon = [](const Quad &quad) {
+    return std::vector<cv::Point2f>(quad.begin(), quad.end());
+  };
+  cv::Mat common;
+  const double smaller = std::min(size_of(one), size_of(other));
+  return cv::intersectConvexConvex(polygon(one), polygon(other), common) >
+         most * smaller * smaller;
 }
 
 // Converts QUAD to an image reduced by SCALE, and back.
@@ -194,12 +217,10 @@ bool is_sound(const Quad &quad) {
 }
 
 // Aligns the whole pattern of a marker, given its BITS: more edges than the
-// outline alone, so less noise and no bias from its inside. BLUR, in pixels:
-// the image's if known, on return the measured one. False if the reading is
-// uncertain.
-bool align_marker(const cv::Mat &grey, unsigned bits,
-                  const Grid &modules, bool perspective,
-                  bool evenly, Quad &corner, double &blur) {
+// outline alone, so less noise and no bias from its inside. False if the
+// reading is uncertain.
+bool align_marker(const cv::Mat &grey, unsigned bits, const Grid &modules,
+                  bool perspective, bool evenly, Marker &marker) {
   static const Quad reference = [] {
     const double near = pitch - 0.5, far = 7 * pitch - 0.5;
     return Quad{Point(near, near), Point(far, near), Point(far, far),
@@ -207,10 +228,10 @@ bool align_marker(const cv::Mat &grey, unsigned bits,
   }();
   cv::Mat shape, used;
   Grid contrast;
-  if (!draw(grey, map_of(six_by_six, corner), bits, modules, evenly, shape,
+  Quad start = marker.corner;
+  if (!draw(grey, map_of(six_by_six, start), bits, modules, evenly, shape,
             used, contrast))
     return false;
-  Quad start = corner;
   if (!perspective) {
     // the nearest parallelogram
     const Point over = (start[0] - start[1] + start[2] - start[3]) / 4;
@@ -219,7 +240,7 @@ bool align_marker(const cv::Mat &grey, unsigned bits,
   }
   Fit fit;
   fit.map = map_of(reference, start);
-  fit.spread = blur * pitch * 6 / size_of(start);
+  fit.spread = marker.blur * pitch * 6 / size_of(start);
   // A spot that makes it another marker has edges of its own; glare has none.
   // Of small markers, sharpening alone saturates modules.
   constexpr double small = 21.0;  // pixels a side
@@ -232,8 +253,9 @@ bool align_marker(const cv::Mat &grey, unsigned bits,
       !is_certain(bits, doubts(bits, contrast, fit)))
     return false;
   for (int k = 0; k < 4; ++k)
-    corner[k] = apply(fit.map, reference[k]);
-  blur = fit.spread / pitch * size_of(corner) / 6;
+    marker.corner[k] = apply(fit.map, reference[k]);
+  marker.blur = fit.spread / pitch * size_of(marker.corner) / 6;
+  marker.distance = fit.distance;
   return true;
 }
 
@@ -256,12 +278,11 @@ bool is_worth_it(const Grid &modules) {
 // Pixels per side: pictograms in a box of 8 pixels were read as markers.
 constexpr double least_size = 9.0;
 
-// Reads the marker with its outline near CORNER, which is set to its exact
-// position, its own top left corner first; BLUR as for the alignment. False if
-// there is none.
-bool find_marker(Quad &corner, int &id, double &blur) {
+// Reads the marker with its outline near MARKER.corner, which is set to its
+// exact position, its own top left corner first. False if there is none.
+bool find_marker(Marker &marker) {
   constexpr double most = 8.0;  // pixels of a module that are enough
-  const double module = size_of(corner) / 6;
+  const double module = size_of(marker.corner) / 6;
   int level = 0;
   while (level + 1 < levels && module > most * (1 << level))
     ++level;
@@ -271,7 +292,7 @@ bool find_marker(Quad &corner, int &id, double &blur) {
   const auto look = [&](const Quad &quad) {
     return read_modules(grey, map_of(six_by_six, quad), module / scale);
   };
-  const Quad rough = reduced(corner, scale);
+  const Quad rough = reduced(marker.corner, scale);
   if (!is_worth_it(look(rough)))
     return false;
   // Near edges first: edges of something brighter may follow. If a corner is
@@ -285,24 +306,24 @@ bool find_marker(Quad &corner, int &id, double &blur) {
       here = rough;
     const Grid seen = look(here);
     std::vector<unsigned> tried;
-    for (const auto read : {read_evenly, read_unmixed, read_unevenly}) {
+    for (const auto bits_of : {read_evenly, read_unmixed, read_unevenly}) {
       unsigned bits = 0;
-      if ((read == read_unmixed && module >= 5.0) || !read(seen, bits) ||
+      if ((bits_of == read_unmixed && module >= 5.0) || !bits_of(seen, bits) ||
           !dictionary().knows(bits) ||
           std::find(tried.begin(), tried.end(), bits) != tried.end())
         continue;
       tried.push_back(bits);
       // Even illumination, or shadows and glare
-      Quad aligned = here;
-      if (!align_marker(grey, bits, seen, module > 2.5, true, aligned,
-                        blur) &&
-          (module < 3.5 ||
-           !align_marker(grey, bits, seen, true, false, aligned, blur)))
+      Marker read = marker;
+      read.corner = here;
+      if (!align_marker(grey, bits, seen, module > 2.5, true, read) &&
+          (module < 3.5 || !align_marker(grey, bits, seen, true, false, read)))
         continue;
-      aligned = reduced(aligned, 1 / scale);
+      Quad aligned = reduced(read.corner, 1 / scale);
       if (!is_sound(aligned) || size_of(aligned) < least_size)
         continue;
-      corner = aligned;
+      marker = read;
+      Quad &corner = marker.corner = aligned;
       // A cover on part of the outline is not near it now. The outline is more
       // precise in a sharp image; its errors are not those of the bits.
       if (module > 3.5 &&
@@ -310,8 +331,8 @@ bool find_marker(Quad &corner, int &id, double &blur) {
                  std::min(std::max(1.5, 0.25 * module), 4.0)))
         for (int n = 0; n < 4; ++n)
           corner[n] =
-              blur < 1.2 ? aligned[n] : (corner[n] + aligned[n]) / 2;
-      id = dictionary().id(bits);
+              read.blur < 1.2 ? aligned[n] : (corner[n] + aligned[n]) / 2;
+      marker.id = dictionary().id(bits);
       // Rotates the corners so that the first is the marker's top left.
       std::rotate(corner.begin(), corner.begin() + dictionary().turns(bits),
                   corner.end());
@@ -326,11 +347,10 @@ bool find_marker(Quad &corner, int &id, double &blur) {
 void find_markers(Search &search, std::vector<vision_robot> &robots) {
   constexpr double enough = 14.0;  // pixels of a side that give an outline
   static thread_local std::vector<Quad> quads, small;
-  const std::size_t before = robots.size();
   small.clear();
 
   // A marker has several candidates: outlines, and thresholds.
-  std::vector<Quad> found;
+  std::vector<Marker> found;
   // A marker cut off by the image border is not read.
   const cv::Rect2d whole(-0.5, -0.5, scratch.smooth.cols, scratch.smooth.rows);
   const auto is_cut = [&](const Quad &quad) {
@@ -339,23 +359,29 @@ void find_markers(Search &search, std::vector<vision_robot> &robots) {
     });
   };
   const auto is_known = [&](const Quad &quad) {
-    const Point centre = (quad[0] + quad[2]) / 2;
-    return std::any_of(found.begin(), found.end(), [&](const Quad &known) {
-      return depth(centre, known.data(), 4) > 0.0;
+    return std::any_of(found.begin(), found.end(), [&](const Marker &known) {
+      return depth(centre_of(quad), known.corner.data(), 4) > 0.0;
     });
   };
-  const auto read = [&](Quad &corner) {
-    int id = 0;
-    double blur = search.blur;
-    if (!is_sound(corner) || is_known(corner) ||
-        !find_marker(corner, id, blur) || is_known(corner) || is_cut(corner))
+  const auto read = [&](const Quad &corner) {
+    Marker marker{corner, 0, search.blur, 0.0};
+    if (!is_sound(corner) || is_known(corner) || !find_marker(marker) ||
+        is_cut(marker.corner))
       return;
-    search.found_blur = blur;
-    found.push_back(corner);
-    const Point centre = (corner[0] + corner[2]) / 2;
-    const Point direction = (corner[0] + corner[1]) / 2;
-    if (in_field(search, centre))
-      robots.push_back(make_robot(id, centre, direction, search));
+    // Of markers that overlap, only the one that fits best is there.
+    const auto first = std::partition(
+        found.begin(), found.end(), [&](const Marker &other) {
+          return !overlap(other.corner, marker.corner);
+        });
+    if (std::any_of(first, found.end(), [&](const Marker &other) {
+          return other.distance <= marker.distance;
+        }))
+      return;
+    found.erase(first, found.end());
+    found.push_back(marker);
+  };
+  const auto is_in_field = [&](const Marker &marker) {
+    return in_field(search, centre_of(marker.corner));
   };
 
   scratch.level[0] = scratch.smooth;
@@ -373,7 +399,8 @@ void find_markers(Search &search, std::vector<vision_robot> &robots) {
     --coarsest;
   // At the threshold for faint markers a border joins a dark field beyond a
   // thin margin: hence the last pass.
-  for (int pass = coarsest; pass >= -1; --pass) {
+  bool is_enough = false;
+  for (int pass = coarsest; pass >= -1 && !is_enough; --pass) {
     const int level = std::max(pass, 0);
     const cv::Mat &image = scratch.level[level];
     const int window = level == 0 ? 5 : 7;
@@ -392,11 +419,19 @@ void find_markers(Search &search, std::vector<vision_robot> &robots) {
         read(corner);
       else
         small.push_back(corner);
-    if (search.known > 0 && int(robots.size() - before) >= search.known)
-      return;
+    is_enough = search.known > 0 &&
+                std::count_if(found.begin(), found.end(), is_in_field) >=
+                    search.known;
   }
-  for (Quad &corner : small)
-    read(corner);
+  if (!is_enough)
+    std::for_each(small.begin(), small.end(), read);
+  for (const Marker &marker : found) {
+    search.found_blur = marker.blur;
+    if (is_in_field(marker))
+      robots.push_back(make_robot(
+          marker.id, centre_of(marker.corner),
+          (marker.corner[0] + marker.corner[1]) / 2, search));
+  }
 }
 
 }  // namespace vision
