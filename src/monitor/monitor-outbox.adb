@@ -16,16 +16,24 @@ package body Monitor.Outbox with SPARK_Mode is
    package Arena_Room is new Event (Schedule.Th_Arene);
    package Sender_Left is new Event (Schedule.Th_Com_Mon_Perdue);
 
-   procedure Exchange (Left, Right : in out Message_Access) is
-      --  Swaps the two
-      Kept : constant Message_Access := Left;
+   procedure Exchange (Left, Right : in out Message_Access)
+   with
+     Pre  => Left /= null or else Right /= null,
+     Post => Left /= null
+   is
+      --  Swaps the two, unless Right is a message that the box is yet to get
+      Kept : Message_Access;
    begin
-      Left := Right;
-      Right := Kept;
+      if Right /= null then
+         Kept := Left;
+         Left := Right;
+         Right := Kept;
+      end if;
    end Exchange;
 
    protected Box with Priority => Schedule.Outbox_Ceiling is
-      procedure Fill (First, Second : in out Message_Access);
+      procedure Fill (First, Second : in out Message_Access)
+      with Pre => First /= null and then Second /= null;
       --  The box gets its messages for images
       procedure Open_Session;
       procedure Close_Session (Next : out Commands.Ticket);
@@ -41,10 +49,12 @@ package body Monitor.Outbox with SPARK_Mode is
       procedure Answer_With_Image
         (Number   : Commands.Ticket;
          Image    : in out Message_Access;
-         Accepted : out Boolean);
+         Accepted : out Boolean)
+      with Pre => Image /= null, Post => Image /= null;
       procedure Put (Item : Monitor.Mailboxes.Notice);
       procedure Put_Image
-        (Image : in out Message_Access; Made : Monitor.Mailboxes.Generation);
+        (Image : in out Message_Access; Made : Monitor.Mailboxes.Generation)
+      with Pre => Image /= null, Post => Image /= null;
       procedure Stop_Images;
       procedure Take
         (Between   : Monitor.Mailboxes.Milliseconds;
@@ -53,7 +63,10 @@ package body Monitor.Outbox with SPARK_Mode is
          Image     : in out Message_Access;
          Left      : out Boolean;
          Full      : out Boolean)
-      with Post => Next.Unsent = (Next.Kind /= Monitor.Mailboxes.Nothing);
+      with
+        Pre  => Image /= null,
+        Post => Next.Unsent = (Next.Kind /= Monitor.Mailboxes.Nothing)
+          and then Image /= null;
    private
       Mail     : Monitor.Mailboxes.Mailbox;
       Arena    : Message_Access := null;  --  of an arena order
@@ -64,8 +77,8 @@ package body Monitor.Outbox with SPARK_Mode is
 
       procedure Fill (First, Second : in out Message_Access) is
       begin
-         Exchange (First, Arena);
-         Exchange (Second, Periodic);
+         Exchange (Arena, First);
+         Exchange (Periodic, Second);
       end Fill;
 
       procedure Open_Session is
@@ -186,6 +199,7 @@ package body Monitor.Outbox with SPARK_Mode is
       Accepted : Boolean;
    begin
       loop
+         pragma Loop_Invariant (Image /= null);
          Box.Answer_With_Image (Order.Number, Image, Accepted);
          exit when Accepted;
          Arena_Room.Wait_In_Job (Trace.Room);

@@ -67,8 +67,8 @@ package Monitor.Outbox with SPARK_Mode is
    procedure Answer_With_Image
      (Order : in out Commands.Order; Image : in out Message_Access)
    with
-     Pre  => Order.Owed,
-     Post => not Order.Owed;
+     Pre  => Order.Owed and then Image /= null,
+     Post => not Order.Owed and then Image /= null;
    --  The image that answers an arena request; waits until the one before has
    --  been taken. Image is exchanged for another one, to be filled next time.
    --  For th_arene only
@@ -83,7 +83,10 @@ package Monitor.Outbox with SPARK_Mode is
 
    procedure Put_Image
      (Image : in out Message_Access; Made : Monitor.Mailboxes.Generation)
-   with Annotate => (GNATprove, Terminating);
+   with
+     Pre  => Image /= null,
+     Post => Image /= null,
+     Annotate => (GNATprove, Terminating);
    --  Replaces an image that still waits. Image is exchanged for another one,
    --  to be filled next time
 
@@ -102,8 +105,9 @@ package Monitor.Outbox with SPARK_Mode is
       Next      : in out Monitor.Mailboxes.Item;
       Image     : in out Message_Access)
    with
-     Pre  => not Next.Unsent,
-     Post => Next.Unsent = (Next.Kind /= Monitor.Mailboxes.Nothing),
+     Pre  => not Next.Unsent and then Image /= null,
+     Post => Next.Unsent = (Next.Kind /= Monitor.Mailboxes.Nothing)
+       and then Image /= null,
      Annotate => (GNATprove, Terminating);
    --  The message taken before has been sent, or could not be. Takes the most
    --  urgent message that may be sent now, if any: Next.Gap after the last

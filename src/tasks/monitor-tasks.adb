@@ -30,6 +30,7 @@ package body Monitor.Tasks with SPARK_Mode is
 
    use type Monitor.Link.Cause;
    use type Monitor.Mailboxes.Choice;
+   use type Monitor.Outbox.Message_Access;
 
    procedure Start_Server (Gate : out Admission.Newcomers.Gate) is
       --  Listens, or says why it cannot and ends the process (F1)
@@ -209,7 +210,7 @@ package body Monitor.Tasks with SPARK_Mode is
 
    procedure Send
      (Next  : in out Monitor.Mailboxes.Item;
-      Image : access constant Monitor.Outbox.Message)
+      Image : Monitor.Outbox.Message)
    with
      Pre  => Next.Unsent and then Next.Kind /= Monitor.Mailboxes.Nothing,
      Post => not Next.Unsent
@@ -217,11 +218,7 @@ package body Monitor.Tasks with SPARK_Mode is
       --  Image: the message, where it is one of an image
       Success : Boolean;
    begin
-      if Next.Is_Image and then Image = null then
-         --  never, as images go round; but no proof knows it
-         Next.Unsent := False;
-         return;
-      elsif Next.Is_Image then
+      if Next.Is_Image then
          Monitor.Sockets.Connection.Send
            (Image.Data, Image.Length, Next.Unsent, Success);
       else
@@ -246,14 +243,14 @@ package body Monitor.Tasks with SPARK_Mode is
    begin
       Process.Threads.Name_Task (Schedule.Th_Send_To_Mon);
       loop
-         pragma Loop_Invariant (not Next.Unsent);
+         pragma Loop_Invariant (not Next.Unsent and then Image /= null);
          Monitor.Outbox.Wait (Next.Hold_End);
          loop
-            pragma Loop_Invariant (not Next.Unsent);
+            pragma Loop_Invariant (not Next.Unsent and then Image /= null);
             Monitor.Outbox.Take (Between, Last_Sent, Next, Image);
             exit when not Next.Unsent and then Next.Gap = 0;
             if Next.Unsent then
-               Send (Next, Image);
+               Send (Next, Image.all);
                Last_Sent := Clock;
             else
                --  an answer that comes meanwhile has a shorter gap

@@ -206,6 +206,7 @@ package body Vision.Tasks with SPARK_Mode is
    begin
       Process.Threads.Name_Task (Schedule.Th_Capture_Img);
       loop
+         pragma Loop_Invariant (Image /= null);
          Vision.State.Wait_Images;
          Grid := Vision.Image_Grid.Initial;
          Waited := False;
@@ -214,6 +215,7 @@ package body Vision.Tasks with SPARK_Mode is
          Next := Clock;
          Known_At := Next;
          loop
+            pragma Loop_Invariant (Image /= null);
             Step := Period;
             Coming := False;
             --  the generation before the mode: an image made for a mode
@@ -266,11 +268,9 @@ package body Vision.Tasks with SPARK_Mode is
                         Check (Result, "robot not drawn: ");
                      end loop;
                   end if;
-                  if Image /= null then
-                     Encode (Slot, Chosen.Quality, Image_Jpeg, Image.all);
-                     if Image.Length > 0 then
-                        Monitor.Outbox.Put_Image (Image, Outbox.Made);
-                     end if;
+                  Encode (Slot, Chosen.Quality, Image_Jpeg, Image.all);
+                  if Image.Length > 0 then
+                     Monitor.Outbox.Put_Image (Image, Outbox.Made);
                   end if;
                   Vision.Frames.Store.Release (Slot);
                   if Seen.Position_On then
@@ -314,7 +314,7 @@ package body Vision.Tasks with SPARK_Mode is
    begin
       Process.Threads.Name_Task (Schedule.Th_Arene);
       loop
-         pragma Loop_Invariant (not Order.Owed);
+         pragma Loop_Invariant (not Order.Owed and then Image /= null);
          Vision.Turns.Wait_Arena (Order);
          if Order.Command.Name = Commands.Get_Ground then
             Vision.State.Store.Get (Seen);
@@ -335,7 +335,7 @@ package body Vision.Tasks with SPARK_Mode is
                Vision.Frames.Wait_Newest (Slot, Found);
                if Found then
                   Vision.Library.Find_Arena (Slot, Arena, Result);
-                  if Result = Vision.Library.Done and then Image /= null then
+                  if Result = Vision.Library.Done then
                      Vision.Library.Draw_Arena (Slot, Arena, Result);
                      Check (Result, "arena not drawn: ");
                      Encode (Slot, Chosen.Quality, Arena_Jpeg, Image.all);
