@@ -85,10 +85,11 @@ package Robot.Protocol with SPARK_Mode is
      (if Parity (Data, Length) = Terminator then 16#0E#
       else Parity (Data, Length))
    with
-     Pre => Data'First = 1
+     Pre  => Data'First = 1
        and then Length <= Data'Last
-       and then Length <= Max_Frame;
-   --  The checksum of the first Length bytes: never equal to the terminator.
+       and then Length <= Max_Frame,
+     Post => Checksum'Result /= Terminator;
+   --  The checksum of the first Length bytes.
 
    function Is_Framed (F : Frame) return Boolean is
      (F.Length >= 3
