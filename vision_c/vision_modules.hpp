@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The modules of a marker: their grey levels, the bits that these mean, and
-// the light on them.
+// The modules of a marker: their grey levels, and the bits that these mean.
 
 #ifndef VISION_MODULES_HPP
 #define VISION_MODULES_HPP
@@ -13,89 +12,50 @@ namespace vision {
 // 6 x 6, including the black border, and those around it.
 using Grid = cv::Matx<double, 8, 8>;
 
-inline int ring_of(int row, int column) {
-  return std::min(std::min(row, column), std::min(7 - row, 7 - column));
-}
-
-inline int bit_of(int row, int column) {
-  return 4 * (row - 2) + column - 2;
-}
-
-inline bool is_white(unsigned bits, int row, int column) {
-  const int ring = ring_of(row, column);
-  return ring == 0 || (ring > 1 && (bits >> bit_of(row, column) & 1u));
-}
-
-// The marker in module coordinates, from its top left corner.
-const Quad six_by_six{Point(0, 0), Point(6, 0), Point(6, 6), Point(0, 6)};
-
-constexpr double least_contrast = 10.0;  // grey levels
-
-// The meaning of a marker's bits.
-class Dictionary {
-public:
+// The meaning of a marker's 16 bits, row by row.
+struct Dictionary {
   Dictionary();
 
-  bool knows(unsigned bits) const { return meaning[bits] >= 0; }
-
-  // Decodes 16 bits, row by row: the marker's ID, and by how many quarter
-  // turns clockwise it is rotated.
-  int id(unsigned bits) const { return meaning[bits] / 4; }
-  int turns(unsigned bits) const { return meaning[bits] % 4; }
-
-  // All valid words, in each rotation: four of each ID.
-  const std::vector<unsigned> &words() const { return known; }
-
-private:
-  std::vector<int> meaning = std::vector<int>(1 << 16, -1);
-  std::vector<unsigned> known;
+  std::vector<int> meaning;  // of all bits: four times the marker's ID, and by
+                             // how many quarter turns clockwise it is rotated;
+                             // -1: none
+  std::vector<unsigned> words;  // those that have one: four of each ID
 };
 
 const Dictionary &dictionary();
 
-// Whether the border is black, except for one place that may be covered:
-// otherwise it is no marker.
-bool is_border(const Grid &black);
+struct Marker {
+  Quad corner;
+  int id = 0;
+  double blur = 0.0;      // of the image, pixels; 0: not known
+  double distance = 0.0;  // of its alignment: Fit.distance
+};
 
-// The modules, each averaged over the centre of its area. MAP: from the
-// marker's modules to GREY; MODULE: the side of one, in pixels.
-Grid read_modules(const cv::Mat &grey, const Map &map, double module);
+// The side of a square with the area of QUAD.
+inline double size_of(const Quad &quad) {
+  return std::sqrt(std::fabs(cross(quad[2] - quad[0], quad[3] - quad[1])) /
+                   2);
+}
 
-// Read the bits. By a single threshold, for even illumination; the same
-// without the light that modules give each other; by the differences between
-// modules nearby, for any illumination.
+// The modules, each averaged over the centre of its area. CORNER: of the
+// marker in GREY.
+Grid read_modules(const cv::Mat &grey, const Quad &corner);
+
+// Quick test with rough positions: a candidate is darker at its border than
+// somewhere inside.
+bool is_worth_it(const Grid &modules);
+
+// Read the bits. By a single threshold, without the light that modules give
+// each other, for even illumination; by the differences between modules
+// nearby, for any illumination.
 bool read_evenly(const Grid &modules, unsigned &bits);
-bool read_unmixed(const Grid &modules, unsigned &bits);
 bool read_unevenly(const Grid &modules, unsigned &bits);
 
-// Levels of black and white at each module.
-struct Levels {
-  Grid black, white;
-};
-
-// For nearly even illumination: means over a wide neighbourhood of the modules
-// that are SEEN. BRIGHT: those that are white.
-Levels light_far(const Grid &bright, const Grid &modules, const Grid &seen,
-                 double black, double white);
-
-// For uneven illumination: black is interpolated from adjacent modules as if
-// they were black. The contrast to white varies more slowly.
-Levels light_near(const Grid &bright, const Grid &modules, const Grid &seen,
-                  double black, double white);
-
-// Of the quiet zone beside a side: its width, in modules, one at most; the
-// grey level beyond it.
-struct Margin {
-  double width, beyond;
-};
-
-// MAP: from the marker's modules to GREY; WHITE: the mean level of its white
-// ones. A thin margin's light is measured: blurred, it has no profile.
-std::array<Margin, 4> margins(const cv::Mat &grey, const Map &map,
-                              double white);
-
-// Whether a part of the marker is saturated, but its quiet zone is not.
-bool has_spot(const Grid &modules);
+// Aligns the whole pattern of a marker, given its BITS: more edges than the
+// outline alone, so less noise and no bias from its inside. SPREAD: within how
+// many modules the light hardly changes. False if the reading is uncertain.
+bool align_marker(const cv::Mat &grey, unsigned bits, const Grid &modules,
+                  bool perspective, double spread, Marker &marker);
 
 }  // namespace vision
 

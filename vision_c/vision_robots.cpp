@@ -37,17 +37,13 @@ cv::Rect on_grid(const cv::Rect &box) {
   return {first, box.br()};
 }
 
-bool is_worth_it(const cv::Rect &box) {
-  return box.width >= 16 && box.height >= 16;
-}
-
-// False if the part is too small to search.
-bool limit(const Frame &here, const vision_arena *arena, Search &search) {
-  const cv::Rect all(cv::Point(), here.image.size());
-  search.box = all;
+// The search of the whole image or ARENA.
+Search search_in(const Frame &here, const vision_arena *arena) {
+  Search search;
+  search.box = cv::Rect(cv::Point(), here.image.size());
   search.width = 0.85 * here.image.cols;
   if (arena == nullptr)
-    return is_worth_it(search.box);
+    return search;
 
   std::array<cv::Point2f, 4> corner;
   for (int k = 0; k < 4; ++k) {
@@ -59,11 +55,11 @@ bool limit(const Frame &here, const vision_arena *arena, Search &search) {
   search.width = std::max<double>(field.width, field.height * 4.0 / 3.0);
   search.slack = 0.02 * search.width;
   // A robot with its centre inside extends beyond the field.
-  const int margin = cvCeil(0.13 * search.width + 4.0);
-  search.box = on_grid(all & cv::Rect(field.tl() - cv::Point(margin, margin),
-                                      field.br() +
-                                          cv::Point(margin, margin)));
-  return is_worth_it(search.box);
+  const int reach = cvCeil(0.13 * search.width + 4.0);
+  const cv::Point margin(reach, reach);
+  search.box =
+      on_grid(search.box & cv::Rect(field.tl() - margin, field.br() + margin));
+  return search;
 }
 
 // ---------------------------------------------------------------- Following
@@ -93,34 +89,13 @@ int look(const cv::Mat &image, cv::Mat &now) {
   return side;
 }
 
-// The tiles that overlap a part of the image.
-cv::Rect tiles_of(const cv::Rect &part, int side, const cv::Mat &tiles) {
-  const cv::Point first(part.x / side, part.y / side);
-  const cv::Point last((part.x + part.width + side - 1) / side,
-                       (part.y + part.height + side - 1) / side);
-  return cv::Rect(first, last) & cv::Rect(cv::Point(), tiles.size());
-}
-
-// Whether anything in WHOLE outside PARTS has changed since its search.
-// Records the parts as searched.
-bool has_changed(const Frame &here, const cv::Rect &whole,
-                 const std::vector<cv::Rect> &parts) {
-  cv::Mat now;
-  const int side = look(here.image, now);
-  if (now.size() != searched.size())
-    return true;
-  for (const cv::Rect &part : parts) {
-    const cv::Rect tiles = tiles_of(part, side, now);
-    now(tiles).copyTo(searched(tiles));
-  }
-  const cv::Rect tiles = tiles_of(whole, side, now);
-  return cv::norm(now(tiles), searched(tiles), cv::NORM_INF) > change;
-}
-
 // The calling thread's last results, and their blur.
 thread_local std::vector<vision_robot> last;
-
 thread_local double last_blur = 0.0;
+
+double distance(const vision_point &a, const vision_point &b) {
+  return std::hypot(a.x - b.x, a.y - b.y);
+}
 
 // The search of a part may end with the robots found there last.
 void expect_last(const cv::Rect &part, Search &search) {
@@ -134,9 +109,8 @@ void expect_last(const cv::Rect &part, Search &search) {
     if (part.contains(cv::Point(cvRound(robot.centre.x),
                                 cvRound(robot.centre.y)))) {
       ++search.known;
-      search.size = std::max(
-          search.size, 2 * std::hypot(robot.direction.x - robot.centre.x,
-                                      robot.direction.y - robot.centre.y));
+      search.size = std::max(search.size,
+                             2 * distance(robot.direction, robot.centre));
     }
 }
 
@@ -146,10 +120,8 @@ void expect_last(const cv::Rect &part, Search &search) {
 double beside(vision_marker marker, const vision_point &at) {
   constexpr double share = 0.55;
   for (const vision_robot &robot : last)
-    if (marker == VISION_MARKER_ARUCO &&
-        std::hypot(robot.centre.x - at.x, robot.centre.y - at.y) < 1.0)
-      return share * std::hypot(robot.direction.x - at.x,
-                                robot.direction.y - at.y);
+    if (marker == VISION_MARKER_ARUCO && distance(robot.centre, at) < 1.0)
+      return share * distance(robot.direction, at);
   return 0.0;
 }
 
@@ -162,8 +134,7 @@ void drop_doubles(std::vector<vision_robot> &robots) {
                      return a.id < b.id;
                    });
   const auto same = [](const vision_robot &a, const vision_robot &b) {
-    return a.id == b.id && std::hypot(a.centre.x - b.centre.x,
-                                      a.centre.y - b.centre.y) < 8.0;
+    return a.id == b.id && distance(a.centre, b.centre) < 8.0;
   };
   robots.erase(std::unique(robots.begin(), robots.end(), same), robots.end());
 }
@@ -177,15 +148,24 @@ bool are_sound(const vision_area *areas, int count) {
 }
 
 // The parts of WHOLE to search: all of it, or those near AREAS, which are none
-// if anything else in WHOLE has changed.
+// if anything else in WHOLE has changed since its search.
 std::vector<cv::Rect> parts_of(const Frame &here, vision_marker marker,
                                const cv::Rect &whole,
                                const vision_area *areas, int area_count) {
+  cv::Mat now;
+  const int side = look(here.image, now);
   if (areas == nullptr) {
-    look(here.image, searched);
+    searched = now;
     return {whole};
   }
-  std::vector<cv::Rect> parts, bodies;
+  if (whole.empty() || now.size() != searched.size())
+    return {};
+  const auto tiles_of = [&](const cv::Rect &part) {
+    const cv::Point rest(side - 1, side - 1);
+    return cv::Rect(part.tl() / side, (part.br() + rest) / side) &
+           cv::Rect(cv::Point(), now.size());
+  };
+  std::vector<cv::Rect> parts;
   for (int k = 0; k < area_count; ++k) {
     const vision_point &at = areas[k].centre;
     const auto part = [&](double reach) {
@@ -194,15 +174,14 @@ std::vector<cv::Rect> parts_of(const Frame &here, vision_marker marker,
                               cv::Point(cvCeil(at.x + reach),
                                         cvCeil(at.y + reach)));
     };
-    const cv::Rect body = part(areas[k].reach);
+    const cv::Rect body = tiles_of(part(areas[k].reach));
     if (!body.empty())
-      bodies.push_back(body);
-    const cv::Rect search = part(areas[k].reach - beside(marker, at));
-    if (is_worth_it(search))
-      parts.push_back(on_grid(search));
+      now(body).copyTo(searched(body));
+    parts.push_back(on_grid(part(areas[k].reach - beside(marker, at))));
   }
-  if (has_changed(here, whole, bodies))
-    parts.clear();
+  const cv::Rect tiles = tiles_of(whole);
+  if (cv::norm(now(tiles), searched(tiles), cv::NORM_INF) > change)
+    return {};
   return parts;
 }
 
@@ -225,20 +204,21 @@ vision_find_robots(int slot, vision_marker marker, const vision_arena *arena,
       return fail(VISION_BAD_ARGUMENT, "cannot search for robots so");
 
     std::vector<vision_robot> found;
-    Search search;
-    if (limit(here, arena, search))
-      for (const cv::Rect &part :
-           parts_of(here, marker, search.box, areas, area_count)) {
-        search.box = part;
-        if (areas != nullptr)
-          expect_last(part, search);
-        cv::cvtColor(here.image(part), scratch.grey, cv::COLOR_BGR2GRAY);
-        cv::GaussianBlur(scratch.grey, scratch.smooth, cv::Size(5, 5), 0.8);
-        if (marker == VISION_MARKER_ARUCO)
-          find_markers(search, found);
-        else
-          find_triangles(search, found);
-      }
+    Search search = search_in(here, arena);
+    for (const cv::Rect &part :
+         parts_of(here, marker, search.box, areas, area_count)) {
+      if (part.width < 16 || part.height < 16)  // too small
+        continue;
+      search.box = part;
+      if (areas != nullptr)
+        expect_last(part, search);
+      cv::cvtColor(here.image(part), scratch.grey, cv::COLOR_BGR2GRAY);
+      cv::GaussianBlur(scratch.grey, scratch.smooth, cv::Size(5, 5), 0.8);
+      if (marker == VISION_MARKER_ARUCO)
+        find_markers(search, found);
+      else
+        find_triangles(search, found);
+    }
     drop_doubles(found);
     last = found;
     last_blur = search.found_blur;

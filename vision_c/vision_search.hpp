@@ -175,29 +175,16 @@ struct Fit {
   double spread = 0.0;    // of the image's blur, pixels of the shape
   double offset = 0.0, contrast = 0.0;  // grey levels of the shape's 0, 0 to 1
   double distance = 0.0;  // what remains, as a share of the contrast
-  struct Rest {
-    cv::Point at;
-    double share;
-  };
-  std::vector<Rest> rest;  // the same of each pixel that was compared
+  cv::Mat rest;  // the same of each pixel of the shape, if it was compared
 };
 
-constexpr uchar compared = 255;  // a pixel of a shape
-
 // Adjusts FIT.map so that SHAPE (float, sharp; about 0 to 1) fits the image
-// best, comparing the pixels marked as COMPARED in USED, and sets the rest of
+// best, comparing the pixels that are not 0 in USED, and sets the rest of
 // FIT. The image blur is estimated from the residual of a first attempt,
 // starting with FIT.spread if known, and refined until the fit is good or no
 // longer improves. False if the residual exceeds WORST.
 bool align(const cv::Mat &grey, const cv::Mat &shape, const cv::Mat &used,
            bool perspective, double worst, Fit &fit);
-
-// ------------------------------------------------------------ Quadrilaterals
-
-// Adds the outlines of quadrilaterals in an image reduced by SCALE, in pixels
-// of the original: regions that are at least DARKER grey levels darker than
-// their surroundings, by scratch.darker.
-void find_quads(int darker, int scale, std::vector<Quad> &quads);
 
 // ------------------------------------------------------------------ Robots
 

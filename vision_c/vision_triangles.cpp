@@ -28,35 +28,22 @@ bool order_triangle(std::array<Point, 3> &corner) {
 // pixels that are compared with the image.
 struct Triangle {
   static constexpr double width = 40.0, height = 64.0, margin = 12.0;
-  cv::Mat shape, used;
   std::array<Point, 3> corner{
       Point(margin + width / 2, margin),
       Point(margin + width, margin + height), Point(margin, margin + height)};
+  const cv::Size size{int(width + 2 * margin) + 1,
+                      int(height + 2 * margin) + 1};
+  cv::Mat_<float> shape = cv::Mat_<float>(size);
+  cv::Mat_<uchar> used = cv::Mat_<uchar>(size);
 
   Triangle() {
-    constexpr int fine = 4;
-    const cv::Size size(int(width + 2 * margin) + 1,
-                        int(height + 2 * margin) + 1);
-    cv::Mat large(size * fine, CV_8UC1);
-    for (int y = 0; y < large.rows; ++y)
-      for (int x = 0; x < large.cols; ++x)
-        large.at<uchar>(y, x) =
-            depth(Point((x + 0.5) / fine - 0.5, (y + 0.5) / fine - 0.5),
-                  corner.data(), 3) > 0.0 ? 255 : 0;
-    cv::resize(large, shape, size, 0, 0, cv::INTER_AREA);
-    shape.convertTo(shape, CV_32F, 1.0 / 255.0);
-
-    // Only nearby: the robot's dark body is not much larger.
-    const Point middle = (corner[0] + corner[1] + corner[2]) / 3;
-    std::array<Point, 3> wider;
-    for (int k = 0; k < 3; ++k)
-      wider[k] = middle + (corner[k] - middle) * 1.15;
-    used.create(size, CV_8UC1);
-    used.setTo(0);
-    for (int y = 1; y < used.rows; y += 2)
-      for (int x = 1; x < used.cols; x += 2)
-        used.at<uchar>(y, x) =
-            depth(Point(x, y), wider.data(), 3) > 0.0 ? 255 : 0;
+    constexpr double near = 2.2;  // the robot's dark body is not much larger
+    for (int y = 0; y < shape.rows; ++y)
+      for (int x = 0; x < shape.cols; ++x) {
+        const double inside = depth(Point(x, y), corner.data(), 3);
+        shape(y, x) = float(std::min(std::max(inside + 0.5, 0.0), 1.0));
+        used(y, x) = x % 2 == 1 && y % 2 == 1 && inside > -near;
+      }
   }
 
   // Whether a camera tilted by at most 30 degrees can see it so: other white
@@ -85,35 +72,19 @@ struct Triangle {
   }
 };
 
-// The corners of a roughly triangular contour: those of the largest inscribed
-// triangle. (OpenCV's smallest enclosing triangle is sometimes far from the
-// smallest.)
-bool find_corners(const std::vector<cv::Point> &contour,
-                  std::array<Point, 3> &corner) {
-  std::vector<cv::Point> hull;
-  cv::convexHull(contour, hull);
-  const std::size_t count = hull.size();
-  if (count < 3 || count > 80)
-    return false;
-  int largest = 0;  // twice the area
-  for (std::size_t i = 0; i < count; ++i)
-    for (std::size_t j = i + 1; j < count; ++j)
-      for (std::size_t k = j + 1; k < count; ++k) {
-        const int twice =
-            std::abs((hull[j] - hull[i]).cross(hull[k] - hull[i]));
-        if (twice > largest) {
-          largest = twice;
-          corner = {Point(hull[i]), Point(hull[j]), Point(hull[k])};
-        }
-      }
-  return cv::contourArea(hull) < 1.6 * (largest / 2.0);
-}
-
-// The corners of a contour's triangle. False if it is none.
+// The corners of a contour's triangle. False if it is none. (OpenCV's smallest
+// enclosing triangle is sometimes far from the smallest.)
 bool find_triangle(const std::vector<cv::Point> &contour,
                    std::array<Point, 3> &corner) {
+  constexpr double rough = 0.1;  // of the perimeter
   static const Triangle drawn;
-  return find_corners(contour, corner) && order_triangle(corner) &&
+  std::vector<cv::Point> hull, polygon;
+  cv::convexHull(contour, hull);
+  cv::approxPolyDP(hull, polygon, rough * cv::arcLength(hull, true), true);
+  if (polygon.size() != 3)
+    return false;
+  std::copy(polygon.begin(), polygon.end(), corner.begin());
+  return order_triangle(corner) &&
          refine(scratch.smooth, corner.data(), 3, {-1.0, 0.15}, 4.0) &&
          order_triangle(corner) && drawn.align(corner) &&
          drawn.is_seen_as(corner);
