@@ -8,54 +8,22 @@ namespace vision {
 
 namespace {
 
-// Edge points in the field per pixel.
-double busyness(const std::vector<Spot> &spots, const cv::Mat &small,
-                const Outline &outline, double contrast) {
-  constexpr double part = 0.1;  // of the border's contrast that counts
-  constexpr double rim = 4.0;  // pixels beside the border that do not count
-  const double unit = View(small).unit;
-  std::array<Point, 4> corner;
-  for (int k = 0; k < 4; ++k)
-    corner[k] = unit * outline.shown(k);
-  const double area =
-      0.5 * cross(corner[2] - corner[0], corner[3] - corner[1]);
-  int within = 0;
-  for (const Spot &spot : spots)
-    within += spot.slope > part * contrast &&
-              depth(Point(spot.at), corner.data(), 4) > rim;
-  return within / std::max(1.0, area);
-}
-
 double grade(const Evidence &evidence) {
-  return evidence.support * evidence.alike * (0.6 + 0.4 * evidence.weakest) *
-         std::pow(0.85, 4 - evidence.corners);
-}
-
-// Whether ONE lies in OTHER: two edges of one border, of which the inner one
-// belongs to the field.
-bool inside(const Outline &one, const Outline &other) {
-  for (int k = 0; k < 4; ++k)
-    if (depth(one.corner[k], other.corner.data(), 4) < -0.01)
-      return false;
-  return true;
+  return evidence.support * evidence.alike * (0.6 + 0.4 * evidence.weakest);
 }
 
 // -------------------------------------------------------- The best outline
 
 // What an outline must reach. The numbers separate the rows of tests/vision
 // with an arena from those without.
-constexpr double surely = 0.9;  // a grade that only an inner border can excel
 constexpr double least_grade = 0.48;
 constexpr double least_long = 0.3;         // of the image's width
 constexpr double least_support = 0.5;      // in the small image
 constexpr double least_alike = 0.7, least_weakest = 0.25;
 constexpr double least_contrast = 10.0;    // grey levels
 constexpr double least_dark = 0.85, least_plain = 0.35;  // of the field
-constexpr double most_busy = 0.085;        // edge points a pixel
 // How far it may be from the image of a 4:3 rectangle: less and less.
 constexpr double roughly = 0.13, well = 0.1, exactly = 0.06;
-constexpr double nested = 0.85;  // the grade of an inner border, as a share of
-                                 // the outer one's
 
 // The image in two sizes, and the noise of both: standard deviations of a
 // pixel.
@@ -111,8 +79,8 @@ bool settle_exactly(const Images &images, Outline &outline,
 }
 
 // Whether it is the border of a plain field, darker than the border.
-bool is_arena(const Images &images, const std::vector<Spot> &spots,
-              const Outline &outline, const Evidence &evidence) {
+bool is_arena(const Images &images, const Outline &outline,
+              const Evidence &evidence) {
   double dark = 0.0, plain = 0.0, longest = 0.0;
   look_inside(images.small, outline, evidence, dark, plain);
   const View view(images.small);
@@ -125,29 +93,22 @@ bool is_arena(const Images &images, const std::vector<Spot> &spots,
          evidence.weakest >= least_weakest &&
          evidence.usual >= least_contrast && dark >= least_dark &&
          plain >= least_plain &&
-         busyness(spots, images.small, outline, evidence.usual) <=
-             most_busy &&
          !continues(images, outline, evidence);
 }
 
 // The arena among the candidates; its score is 0 if there is none.
-Candidate best_of(const Images &images, const std::vector<Spot> &spots,
-                  Candidates found) {
+Candidate best_of(const Images &images, Candidates found) {
   constexpr std::size_t most = 2;
   Candidate best;
   found.resize(std::min(found.size(), most));
   for (Candidate &candidate : found) {
     Outline &outline = candidate.outline;
     Evidence evidence;
-    if ((best.score > surely && !inside(outline, best.outline)) ||
-        !settle_exactly(images, outline, evidence) ||
-        !is_arena(images, spots, outline, evidence))
+    if (!settle_exactly(images, outline, evidence) ||
+        !is_arena(images, outline, evidence))
       continue;
     candidate.score = grade(evidence);
-    const double share = inside(outline, best.outline)   ? nested
-                         : inside(best.outline, outline) ? 1.0 / nested
-                                                         : 1.0;
-    if (candidate.score > share * best.score)
+    if (candidate.score > best.score)
       best = candidate;
   }
   return best;
@@ -175,7 +136,6 @@ vision_arena arena_of(const Outline &outline, const View &view) {
 }
 
 vision_status find_arena(Frame &here, vision_arena &arena) {
-  static thread_local std::vector<Spot> spots;
   const cv::Size size = here.image.size();
   const double scale =
       std::max(1.0, double(std::max(size.width, size.height)) / small_side);
@@ -188,12 +148,12 @@ vision_status find_arena(Frame &here, vision_arena &arena) {
                       cvRound(size.height / scale)),
              0, 0, cv::INTER_AREA);
   double noise = 0.0;
-  const Candidates found = find_candidates(scratch.small, spots, noise);
+  const Candidates found = find_candidates(scratch.small, noise);
   const Images images{scratch.grey, scratch.small, scale, scale * noise,
                       noise};
   const Candidates near = settled(images, found, 8, 4.0, quick, roughly);
-  const Candidate best = best_of(
-      images, spots, settled(images, near, 3, 2.5, normal, well));
+  const Candidate best =
+      best_of(images, settled(images, near, 3, 2.5, normal, well));
   if (best.score <= 0.0)
     return fail(VISION_NOT_FOUND, "no arena in the image");
   arena = arena_of(best.outline, View(scratch.grey));

@@ -33,6 +33,12 @@ double noise_of(const cv::Mat &dx, const cv::Mat &dy) {
   return *quarter / 0.76 / noise_gain;
 }
 
+// A point of the small image at which it gets brighter along NORMAL.
+struct Spot {
+  cv::Point2f at, normal;  // from the middle, pixels; of length 1
+  float slope;             // grey levels a pixel
+};
+
 // The edge points of the image; returns the noise of a pixel.
 double find_spots(const cv::Mat &small, std::vector<Spot> &spots) {
   cv::Mat &dx = scratch.gradient, &dy = scratch.gradient_down;
@@ -40,39 +46,16 @@ double find_spots(const cv::Mat &small, std::vector<Spot> &spots) {
   cv::Sobel(small, dy, CV_16S, 0, 1, 5, 1.0, 0.0, cv::BORDER_REPLICATE);
   const double noise = noise_of(dx, dy);
   const double slope = std::max(1.2 * gain, 3.5 * noise_gain * noise);
-  const float least = float(slope * slope);
   const cv::Point2f middle((small.cols - 1) / 2.0f, (small.rows - 1) / 2.0f);
-
+  cv::Canny(dx, dy, scratch.mask, slope, slope, true);
+  std::vector<cv::Point> places;
+  cv::findNonZero(scratch.mask, places);
   spots.clear();
-  const std::ptrdiff_t line = dx.step / sizeof(short);
-  for (int row = 1; row < small.rows - 1; ++row) {
-    const short *const x = dx.ptr<short>(row), *const y = dy.ptr<short>(row);
-    for (int column = 1; column < small.cols - 1; ++column) {
-      const float rise = x[column], fall = y[column];
-      const float here = rise * rise + fall * fall;
-      if (here < least)
-        continue;
-      const float wide = std::fabs(rise), high = std::fabs(fall);
-      int across = 0, down = 0;
-      if (5.0f * wide >= 2.0f * high)
-        across = rise > 0.0f ? 1 : -1;
-      if (5.0f * high >= 2.0f * wide)
-        down = fall > 0.0f ? 1 : -1;
-      const std::ptrdiff_t ahead = across + down * line;
-      // Along the normal: beyond a thin border the gradient is reversed.
-      const auto size = [&](std::ptrdiff_t at) {
-        return rise * x[at] + fall * y[at];
-      };
-      const float front = size(column + ahead), back = size(column - ahead);
-      if (front > here || back >= here)
-        continue;
-      const float strength = std::sqrt(here);
-      const float bow = 2.0f * here - back - front;
-      const float shift = bow > 0.0f ? 0.5f * (front - back) / bow : 0.0f;
-      spots.push_back(
-          {cv::Point2f(column + shift * across, row + shift * down) - middle,
-           cv::Point2f(rise / strength, fall / strength), strength / gain});
-    }
+  for (const cv::Point &at : places) {
+    const cv::Point2f rise(dx.at<short>(at), dy.at<short>(at));
+    const float strength = float(cv::norm(rise));
+    spots.push_back({cv::Point2f(at) - middle, rise / strength,
+                     strength / gain});
   }
   return noise;
 }
@@ -358,10 +341,10 @@ bool is_field(const Outline &outline, double tolerance) {
   return best < tolerance;
 }
 
-Candidates find_candidates(const cv::Mat &small, std::vector<Spot> &spots,
-                           double &noise) {
+Candidates find_candidates(const cv::Mat &small, double &noise) {
   constexpr double fits = 3.6;  // of a support of 4
   static thread_local Bins bins;
+  std::vector<Spot> spots;
   Candidates found;
   noise = find_spots(small, spots);
   for (const double bend : bends) {

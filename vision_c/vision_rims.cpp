@@ -300,25 +300,6 @@ bool settle(const cv::Mat &grey, Outline &outline, double reach, double noise,
       evidence.light[clipped] = light_of(outline, kept, [&](const Edge &edge) {
         return !is_sunny || edge.clipped == clipped;
       });
-
-  // At a corner, both sides have the same illumination.
-  evidence.corners = 0;
-  for (int k = 0; k < 4; ++k) {
-    std::array<std::vector<double>, 2> inside;
-    contrast.clear();
-    for (const Edge &edge : kept) {
-      const bool after = edge.side == k;
-      if (after ? edge.part < 0.35
-                : edge.side == (k + 3) % 4 && edge.part > 0.65) {
-        inside[after].push_back(edge.inside);
-        contrast.push_back(edge.contrast);
-      }
-    }
-    evidence.corners +=
-        std::min(inside[0].size(), inside[1].size()) >= 2 &&
-        std::fabs(median(inside[0]) - median(inside[1])) <
-            0.5 * median(contrast) + 2.0 * noise;
-  }
   return true;
 }
 

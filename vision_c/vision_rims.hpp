@@ -48,7 +48,6 @@ struct Evidence {
   double moved = 0.0;     // pixels that a corner came to lie elsewhere
   double support = 0.0;   // share of what can be seen that has an edge on it
   double weakest = 0.0;   // the same of the side that has the least
-  int corners = 0;        // where the field is as bright beside both sides
   double alike = 0.0;     // share of the edges whose contrast is the usual one
   std::array<Light, 2> light;  // where the border is not clipped, and where it
                                // is; the same unless the sun shines on a part
@@ -56,12 +55,6 @@ struct Evidence {
 };
 
 constexpr int small_side = 320;  // pixels, of the image searched
-
-// A point of the small image at which it gets brighter along NORMAL.
-struct Spot {
-  cv::Point2f at, normal;  // from the middle, pixels; of length 1
-  float slope;             // grey levels a pixel
-};
 
 struct Candidate {
   Outline outline;
@@ -74,10 +67,8 @@ using Candidates = std::vector<Candidate>;  // best first
 void add(Candidates &found, const Candidate &wanted);
 
 // Outlines by lines of the small image, each with the lens distortion that
-// suits it best; SPOTS: the image's edges; NOISE: the standard deviation of a
-// pixel.
-Candidates find_candidates(const cv::Mat &small, std::vector<Spot> &spots,
-                           double &noise);
+// suits it best; NOISE: the standard deviation of a pixel.
+Candidates find_candidates(const cv::Mat &small, double &noise);
 
 // Sampling density along an outline.
 struct Pace {
