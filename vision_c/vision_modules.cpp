@@ -443,7 +443,7 @@ bool align_marker(const cv::Mat &grey, unsigned bits, const Grid &modules,
   // Of small markers, sharpening alone saturates modules.
   constexpr double small = 21.0;  // pixels a side
   const double worst =
-      size_of(start) > small && has_spot(modules) ? 0.075 : 0.15;
+      size_of(start) > small && has_spot(modules) ? 0.075 : 0.12;
   // Edges of small markers overshoot; more is no black and white.
   constexpr double brightest = 300.0;
   if (!align(grey, shape, used, perspective, worst, fit) ||
