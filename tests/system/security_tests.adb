@@ -184,6 +184,14 @@ procedure Security_Tests is
       Expect_Admitted (M);
    end Allowed_Addresses;
 
+   procedure Expect_Listening (Options, Listens, For_Whom : String) is
+      S : Supervisor;
+   begin
+      S.Run ("--port 0 --serial /nonexistent " & Options);
+      S.Expect_Log ("listening on " & Listens);
+      S.Expect_Log (For_Whom);
+   end Expect_Listening;
+
    procedure Allowed_And_IPv6 is
       Open, Closed : Supervisor;
       M            : Client;
@@ -191,6 +199,7 @@ procedure Security_Tests is
       if Process_Facts.File_Line ("/proc/net/if_inet6", " lo") = "" then
          Skip ("this machine has no IPv6");
       end if;
+      Expect_Listening ("--bind ::1", "::1", ", for this machine alone");
       Open.Start (Bind => "::");
       Expect_Monitor (Open.Port, "RCLS", "--host ::1", 0);
       M.Connect (Open.Port, Address => "::1");
@@ -747,22 +756,15 @@ procedure Security_Tests is
 
    procedure Who_May_Connect is
       --  This machine, unless an address, networks or a token are given
-      procedure Expect (Options, Listens, For_Whom : String) is
-         S : Supervisor;
-      begin
-         S.Run ("--port 0 --serial /nonexistent " & Options);
-         S.Expect_Log ("listening on " & Listens);
-         S.Expect_Log (For_Whom);
-      end Expect;
    begin
-      Expect ("", "127.0.0.1:", ", for this machine alone");
-      Expect ("--token " & Token_File, "0.0.0.0:",
-              ", for every machine that reaches it, with the token");
-      Expect ("--allow 127.0.0.0/8", "0.0.0.0:",
-              ", for the networks of --allow");
-      Expect ("--bind 0.0.0.0", "0.0.0.0:",
-              ", for every machine that reaches it");
-      Expect ("--bind ::1", "", ", for this machine alone");
+      Expect_Listening ("", "127.0.0.1:", ", for this machine alone");
+      Expect_Listening
+        ("--token " & Token_File, "0.0.0.0:",
+         ", for every machine that reaches it, with the token");
+      Expect_Listening
+        ("--allow 127.0.0.0/8", "0.0.0.0:", ", for the networks of --allow");
+      Expect_Listening
+        ("--bind 0.0.0.0", "0.0.0.0:", ", for every machine that reaches it");
    end Who_May_Connect;
 
 begin
