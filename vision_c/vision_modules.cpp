@@ -68,8 +68,8 @@ Grid unmix(const Grid &seen) {
   return now;
 }
 
-// Whether the border is dark, except for a part that may be covered: otherwise
-// it is no marker.
+// Whether the border is dark, except for a few modules that may be covered:
+// otherwise it is no marker.
 bool is_border(const Grid &bright) {
   constexpr int most_hidden = 4;
   return border.dot(bright) <= most_hidden;

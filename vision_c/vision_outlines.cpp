@@ -36,7 +36,6 @@ double noise_of(const cv::Mat &dx, const cv::Mat &dy) {
 // A point of the small image at which it gets brighter along NORMAL.
 struct Spot {
   cv::Point2f at, normal;  // from the middle, pixels; of length 1
-  float slope;             // grey levels a pixel
 };
 
 // The edge points of the image; returns the noise of a pixel.
@@ -53,9 +52,7 @@ double find_spots(const cv::Mat &small, std::vector<Spot> &spots) {
   spots.clear();
   for (const cv::Point &at : places) {
     const cv::Point2f rise(dx.at<short>(at), dy.at<short>(at));
-    const float strength = float(cv::norm(rise));
-    spots.push_back({cv::Point2f(at) - middle, rise / strength,
-                     strength / gain});
+    spots.push_back({cv::Point2f(at) - middle, rise / cv::norm(rise)});
   }
   return noise;
 }
